@@ -245,15 +245,15 @@ class APOLLONIUS_EXPORT Diagram {
   [[nodiscard]] Error toBytes(std::vector<std::uint8_t>& bytes) const;
 
   /// Becomes the diagram that was saved: sites, ids, those that are free, hidden sites, graph;
-  /// location stays as it was chosen. Whoever made the bytes, the diagram is that of the sites in
-  /// them, which is proved exactly. Errors: kCorruptSnapshot, kOutOfMemory. Cost: O(n), without any
-  /// search; on degenerate input (grids) about as long as building.
+  /// location stays as it was chosen. The bytes are verified, by exact arithmetic: whoever made
+  /// them, the diagram is that of their sites. Errors: kCorruptSnapshot, kOutOfMemory. Cost: O(n),
+  /// without any search; on degenerate input (grids) about as long as building.
   ///
-  /// Source::kTrusted leaves the proof out, for bytes that toBytes() wrote and nobody else has had:
-  /// several times as fast; the Voronoi circles of faces are then computed when later calls first
-  /// need them. If the bytes are something else, answers may be wrong, and a call that finds out
-  /// returns kCorruptSnapshot, as all calls with an Error but fromBytes() do then until clear();
-  /// every call ends and stays in its memory.
+  /// Source::kTrusted skips the verification, for bytes that toBytes() wrote and nobody has
+  /// changed, and is several times as fast; the Voronoi circles of faces are then computed when
+  /// later calls first need them. With other bytes, answers may be wrong, and a call that finds out
+  /// returns kCorruptSnapshot, as do all later calls with an Error except fromBytes(), until
+  /// clear(); every call ends and stays within its memory.
   [[nodiscard]] Error fromBytes(std::span<const std::uint8_t> bytes,
                                 Source source = Source::kAnyone);
 

@@ -41,8 +41,8 @@ struct Violation {
   }
 };
 
-/// Whose bytes a snapshot is. kAnyone: that they are the diagram of their sites is proved.
-/// kTrusted: that is believed.
+/// Who made the bytes of a snapshot. kAnyone: they are verified to be the diagram of their sites.
+/// kTrusted: they are not.
 enum class Source : std::uint8_t { kAnyone, kTrusted };
 
 /// How the nearest site is located (paper, section 4). The answers are the same.

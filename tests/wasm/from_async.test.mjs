@@ -51,7 +51,7 @@ test("accessors, iterables, options and small sets", async () => {
     expect(await built(few.slice(0, count))).toEqual(graph(Diagram.from(few.slice(0, count))));
 });
 
-test("options may come second, as items are read without accessors", async () => {
+test("options may come behind the items, or behind accessors for x and y", async () => {
   const few = items.slice(0, 100);
   const expected = graph(Diagram.from(few));
   const progress = [];
@@ -60,6 +60,9 @@ test("options may come second, as items are read without accessors", async () =>
   expect(progress.at(-1)).toBe(1);
   for (const none of [{}, undefined])
     expect(graph(await Diagram.fromAsync(few, none))).toEqual(expected);
+  const accessors = [(d) => d.x, (d) => d.y];
+  const points = graph(Diagram.from(few, ...accessors));
+  expect(graph(await Diagram.fromAsync(few, ...accessors, options))).toEqual(points);
   const reason = new Error("enough");
   const controller = new AbortController();
   const { signal } = controller;
@@ -117,9 +120,9 @@ test("what is refused, named", async () => {
   expect(await refused(Diagram.fromAsync(items, { signal: 7 }))).toMatch("options.signal is 7");
   expect(await refused(Diagram.fromAsync(items, { sinal: 7 }))).toMatch("options.sinal is unknown");
   expect(await refused(Diagram.fromAsync(items, { location: 7 }))).toMatch("options.location is 7");
-  // In the place of an accessor they are refused.
-  expect(await refused(Diagram.fromAsync(items, {}, undefined))).toMatch("x is an object, expect");
-  expect(await refused(Diagram.fromAsync(items, undefined, {}))).toMatch("y is an object, expect");
+  // They come last.
+  expect(await refused(Diagram.fromAsync(items, {}, () => 1))).toMatch("followed by something");
+  expect(await refused(Diagram.fromAsync(items, {}, {}))).toMatch("followed by something");
   expect(await refused(options({ signal: 7 }))).toMatch("bad-option: options.signal is 7");
   expect(await refused(options({ signal: null }))).toMatch("options.signal is null");
   expect(await refused(options({ onProgress: 7 }))).toMatch("bad-option: options.onProgress is 7");
@@ -172,7 +175,7 @@ describe("on the sphere", () => {
     expect(isSame(diagram, SphericalDiagram.from(places, { radius }))).toBe(true);
   });
 
-  test("accessors, GeoJSON, options at any place, and small sets", async () => {
+  test("accessors, GeoJSON, options behind two of them, and small sets", async () => {
     const few = places.slice(0, 100);
     const expected = SphericalDiagram.from(few);
     const accessors = ["lon", "lat", "r"].map((name) => (_, index, all) => all[index][name]);

@@ -113,6 +113,11 @@ test("arrays, weights, options and ids are refused by name", () => {
       "bad-option",
       "item 0 has a radius and no r: give (d) => d.radius as third accessor",
     ],
+    [
+      () => SphericalDiagram.from([[1, 2]], { radius: 3 }, (d) => d[0]),
+      "bad-option",
+      "options are followed by something",
+    ],
     [() => SphericalDiagram.from(7), "bad-length", "items is 7"],
     [() => SphericalDiagram.from([], "lon"), "bad-option", 'lon is the string "lon"'],
     [() => SphericalDiagram.fromBytes(new Uint8Array(8)), "corrupt-snapshot", "no snapshot"],

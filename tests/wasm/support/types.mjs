@@ -64,6 +64,7 @@ diagram.findMany([0, 0], new Float32Array(1));
 const { signal } = new AbortController();
 const early: Promise<Diagram> = Diagram.fromAsync([[1, 2]], { signal });
 Diagram.fromAsync(cities, (d) => d.lon, (d) => d.lat, undefined, { signal });
+Diagram.fromAsync(cities, (d) => d.lon, (d) => d.lat, { signal });
 Diagram.from(cities, (d) => d.lon, (d) => d.lat);
 // @ts-expect-error: cities have no x and y
 Diagram.fromAsync(cities, { signal });

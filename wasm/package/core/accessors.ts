@@ -2,6 +2,7 @@
 import { ApolloniusError } from "../errors.js";
 import {
   allocated,
+  checkOptions,
   checkSiteCount,
   described,
   detachedArray,
@@ -28,7 +29,7 @@ export type Accessors<T> = [
   that?: unknown,
 ];
 
-/** The same; what is missing is read as from a `Circular`. */
+/** `Accessors` that may be left out: what is missing is read as from a `Circular`. */
 export type SomeAccessors<T> = [
   x?: Accessor<T> | undefined,
   y?: Accessor<T> | undefined,
@@ -36,27 +37,38 @@ export type SomeAccessors<T> = [
   that?: unknown,
 ];
 
-/** The accessors of `Diagram.fromAsync`, and its options. */
+/** The accessors of `Diagram.fromAsync`, and its options, which come last. */
 export type AsyncAccessors<T> = [
   x: Accessor<T>,
   y: Accessor<T>,
-  r?: Accessor<T> | undefined,
+  r?: Accessor<T> | BuildOptions | undefined,
   options?: BuildOptions | undefined,
 ];
 
-/** The same; what is missing is read as from a `Circular`. */
+/** `AsyncAccessors` that may be left out: what is missing is read as from a `Circular`. */
 export type SomeAsync<T> = [
   x?: Accessor<T> | undefined,
   y?: Accessor<T> | undefined,
-  r?: Accessor<T> | undefined,
+  r?: Accessor<T> | BuildOptions | undefined,
   options?: BuildOptions | undefined,
 ];
 
-/** Accessors and options, of which the latter may come alone. */
-export function asyncAccessors<T>(rest: SomeAsync<T> | [options: BuildOptions]): SomeAsync<T> {
-  const [first] = rest;
-  const isAlone = rest.length === 1 && typeof first === "object" && first !== null;
-  return isAlone ? [undefined, undefined, undefined, first] : (rest as SomeAsync<T>);
+/**
+ * Accessors, and the options behind them, which have these names: all that comes after the items.
+ * Throws "bad-option".
+ */
+export function accessorsAndOptions<T, Options extends object>(
+  rest: unknown[],
+  ...names: string[]
+): [accessors: SomeAccessors<T>, options: Options | undefined] {
+  const first = rest.findIndex((given) => typeof given === "object" && given !== null);
+  const at = first < 0 ? 3 : Math.min(first, 3);
+  const accessors = rest.slice(0, at) as SomeAccessors<T>;
+  const [options, ...after] = rest.slice(at);
+  checkOptions(options as object | undefined, ...names);
+  if (after.some((given) => given !== undefined))
+    throw new ApolloniusError("bad-option", "options are followed by something, expected last");
+  return [accessors, options as Options | undefined];
 }
 
 /** What `Diagram.from` reads without accessors. */

@@ -1,7 +1,7 @@
 import {
   type Accessors,
+  accessorsAndOptions,
   type AsyncAccessors,
-  asyncAccessors,
   type Circular,
   circleReader,
   type Items,
@@ -99,11 +99,11 @@ export class Diagram extends DynamicDiagram<ListedSite> {
     items: Items<T>,
     ...rest: SomeAsync<T> | [options: BuildOptions]
   ): Promise<Diagram> {
-    const [x, y, r, options = {}] = asyncAccessors(rest);
-    checkOptions(options, "location", "signal", "onProgress");
-    const reader = circleReader(items, x, y, r);
-    const diagram = new Diagram(undefined, { location: options.location });
-    await buildOrDispose(diagram, reader, options);
+    const names = ["location", "signal", "onProgress"];
+    const [accessors, options] = accessorsAndOptions<T, BuildOptions>(rest, ...names);
+    const reader = circleReader(items, ...accessors);
+    const diagram = new Diagram(undefined, { location: options?.location });
+    await buildOrDispose(diagram, reader, options ?? {});
     return diagram;
   }
 

@@ -1,6 +1,6 @@
 // Which numbers the sphere accepts, and items as its sites.
-import { type Accessor, type ItemKind, ItemReader, type Items } from "../core/accessors.js";
-import { checkOptions, described, isArrayLike } from "../core/arguments.js";
+import { type ItemKind, ItemReader, type Items, type SomeAccessors } from "../core/accessors.js";
+import { described, isArrayLike } from "../core/arguments.js";
 import {
   type AnyNative,
   type NativeSphericalDiagram,
@@ -76,13 +76,6 @@ export function checkedAngularTolerance(tolerance: unknown): number {
 
 // --- Items ---------------------------------------------------------------------------------------
 
-/** Accessors of items; what is missing is read as from a `Spherical`. */
-type SphericalAccessors<T> = [
-  lon?: Accessor<T> | undefined,
-  lat?: Accessor<T> | undefined,
-  r?: Accessor<T> | undefined,
-];
-
 type Fields = { readonly [name: string]: unknown } & ArrayLike<unknown>;
 
 /** Longitude, latitude and weight of an item without accessors; undefined if it is none. */
@@ -107,26 +100,11 @@ const places = (radius: number): ItemKind => ({
 /** Reads the items of `SphericalDiagram.from`, of which a FeatureCollection has a list. */
 export function placeReader<T>(
   given: Items<T>,
-  accessors: SphericalAccessors<T>,
+  accessors: SomeAccessors<T>,
   radius: number,
 ): ItemReader<T> {
   const collection = given as { type?: unknown; features?: unknown } | null;
   const isCollection = collection?.type === "FeatureCollection";
   const items = (isCollection ? collection.features : given) as Items<T>;
   return new ItemReader(places(radius), items, ...accessors);
-}
-
-/** Accessors and options of these names, of which the latter may come at any place. */
-export function accessorsAndOptions<T>(
-  rest: unknown[],
-  ...names: string[]
-): {
-  accessors: SphericalAccessors<T>;
-  options: object | undefined;
-} {
-  const at = rest.findIndex((given) => typeof given === "object" && given !== null);
-  const options = at === -1 ? undefined : (rest[at] as object);
-  checkOptions(options, ...names);
-  const accessors = (at === -1 ? rest : rest.slice(0, at)) as SphericalAccessors<T>;
-  return { accessors, options };
 }

@@ -1,4 +1,4 @@
-import type { Accessor, Items } from "../core/accessors.js";
+import { type Accessor, accessorsAndOptions, type Items } from "../core/accessors.js";
 import {
   checkedBytes,
   checkedChoice,
@@ -48,7 +48,6 @@ import type {
 import { emptyCircles } from "./empty_circles.js";
 import { interpolate } from "./interpolation.js";
 import {
-  accessorsAndOptions,
   checkedAngularTolerance,
   checkedRadius,
   placeReader,
@@ -163,9 +162,9 @@ export class SphericalDiagram extends DynamicDiagram<ListedSphericalSite> {
   /**
    * A diagram of any items, read by accessors (item, index, items); with two accessors, items are
    * points. Without accessors an item is an object {lon, lat, r}, an array [lon, lat, r] or a point
-   * of GeoJSON, and `items` may be a FeatureCollection; a missing r is 0. Options may come at any
-   * place. Ids are 0, 1, 2, … in input order. Throws as the constructor, naming the item;
-   * "bad-option" if an item without r has a `radius`, `size` or `weight`, which nothing would read.
+   * of GeoJSON, and `items` may be a FeatureCollection; a missing r is 0. Options come last. Ids
+   * are 0, 1, 2, … in input order. Throws as the constructor, naming the item; "bad-option" if an
+   * item without r has a `radius`, `size` or `weight`, which nothing would read.
    */
   static from<T>(
     items: Items<T>,
@@ -179,7 +178,7 @@ export class SphericalDiagram extends DynamicDiagram<ListedSphericalSite> {
     options?: SphericalOptions,
   ): SphericalDiagram;
   static from(items: unknown, ...rest: unknown[]): SphericalDiagram {
-    const { accessors, options } = accessorsAndOptions<unknown>(rest, "radius");
+    const [accessors, options] = accessorsAndOptions<unknown, SphericalOptions>(rest, "radius");
     const radius = checkedRadius(options);
     const reader = placeReader(items as Items<unknown>, accessors, radius);
     return new SphericalDiagram(reader.triples(0, reader.count), { radius });
@@ -204,7 +203,10 @@ export class SphericalDiagram extends DynamicDiagram<ListedSphericalSite> {
   ): Promise<SphericalDiagram>;
   static async fromAsync(items: unknown, ...rest: unknown[]): Promise<SphericalDiagram> {
     const names = ["radius", "signal", "onProgress"];
-    const { accessors, options } = accessorsAndOptions<unknown>(rest, ...names);
+    const [accessors, options] = accessorsAndOptions<unknown, SphericalBuildOptions>(
+      rest,
+      ...names,
+    );
     const radius = checkedRadius(options);
     const reader = placeReader(items as Items<unknown>, accessors, radius);
     const diagram = new SphericalDiagram(undefined, { radius });

@@ -1,5 +1,5 @@
 // The instance of the wasm module that diagrams share: made at the first use, never at import.
-// After a call that ended in its middle, what is made later gets a new one.
+// After a call that was cut off, what is made later gets a new one.
 //
 // The module comes in parts (tools/toolchain/split_wasm.mjs). `core` is an instance by itself. Each
 // of the others is compiled, started in the memory and the table of `core`, and registered with
@@ -257,7 +257,7 @@ function guard(
   let running: Handle | undefined; // the diagram of the call under way
 
   /**
-   * Sets things right after a call that ended in its middle. At the end of the stack this may fail
+   * Sets things right after a call that was cut off. At the end of the stack this may fail
    * itself: then the next call does it.
    */
   const settle = (diagram: Handle) => {
@@ -271,7 +271,7 @@ function guard(
   const ended = (cause?: unknown) =>
     new ApolloniusError(
       "broken",
-      "a call of this diagram ended in its middle: please report it, unless no stack was left",
+      "a call of this diagram was cut off: please report it, unless the stack overflowed",
       { cause },
     );
 
