@@ -196,8 +196,8 @@ export function checkedBytes(name: string, bytes: unknown): Uint8Array {
 export function outOfMemory(): ApolloniusError {
   return new ApolloniusError(
     "out-of-memory",
-    "not enough memory; dispose() or `using` frees a diagram at once, while a forgotten one waits " +
-      "for a turn of the event loop",
+    "not enough memory; dispose() or `using` frees a diagram at once, while a forgotten one " +
+      "waits for a turn of the event loop",
   );
 }
 
