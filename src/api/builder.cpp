@@ -48,7 +48,8 @@ Error Builder::advance(std::size_t steps, bool& isDone) {
     if (work.isStaged) {
       isDone = work.insertion.insert(work.ids, steps);
       if (isDone) work.ids.clear();
-    } else if (work.insertion.stage(work.xyr, BulkInsertion::visits(steps, 64))) {
+    } else if (work.insertion.stage(work.xyr,
+                                    BulkInsertion::visits(steps, BulkInsertion::kStageVisits))) {
       work.isStaged = true;
       work.ids.resize(work.xyr.size() / 3);
       std::vector<double>().swap(work.xyr);

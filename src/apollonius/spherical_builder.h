@@ -13,8 +13,8 @@ namespace apollonius {
 /// As Builder. The result is that of SphericalDiagram::insertMany, in about the time.
 class APOLLONIUS_EXPORT SphericalBuilder {
  public:
-  /// Of a diagram that is empty, stays where it is, and is left alone until the work is done.
-  /// Throws std::bad_alloc.
+  /// Of a diagram that is empty, stays where it is, and is left alone until the work is done. It
+  /// stays empty if the builder ends before that, or with an error. Throws std::bad_alloc.
   explicit SphericalBuilder(SphericalDiagram& diagram);
   ~SphericalBuilder();
   SphericalBuilder(SphericalBuilder&&) noexcept;

@@ -22,6 +22,9 @@ namespace apollonius::internal {
 class BulkInsertion {
  public:
   static constexpr std::size_t kAllAtOnce = std::numeric_limits<std::size_t>::max();
+  /// Visits of a site in stage() for one insertion: each of the steps of sorting and copying takes
+  /// a few nanoseconds, an insertion about a microsecond.
+  static constexpr std::size_t kStageVisits = 64;
   /// Visits of a site that take the time of this many insertions: `each` for one of them.
   static constexpr std::size_t visits(std::size_t insertions, std::size_t each) {
     return insertions > kAllAtOnce / each ? kAllAtOnce : insertions * each;

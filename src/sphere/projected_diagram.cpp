@@ -28,7 +28,8 @@ bool ProjectedDiagram::Filling::advance(std::size_t steps) {
       project(BulkInsertion::visits(steps, 16));
       return step_ == Step::kDone;
     case Step::kStage:
-      if (insertion_->stage({circles_.data(), circles_.size()}, BulkInsertion::visits(steps, 64))) {
+      if (insertion_->stage({circles_.data(), circles_.size()},
+                            BulkInsertion::visits(steps, BulkInsertion::kStageVisits))) {
         FlatArray<double>().swap(circles_);
         step_ = Step::kInsert;
       }

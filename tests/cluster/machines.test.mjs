@@ -66,7 +66,8 @@ withNetwork("two workers in two network namespaces", async () => {
   const xy = Float64Array.from({ length: 400_000 }, () => random() * 2000 - 1000);
   const file = writeArray(path.join(folder, "points.f64"), xy);
   const env = { REDIS_URL: await startRedis({ folder: work, bind: `${net}.1` }) };
-  // A namespace is none if it sees the loopback device of the machine.
+  // The loopback device of a new namespace is down. One that is up would be the machine's, and the
+  // workers would not be apart.
   const loopback = ip("-n", names[0], "-o", "link", "show", "up", "dev", "lo");
   expect(loopback.stdout).toBe("");
 

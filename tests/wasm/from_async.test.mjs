@@ -121,8 +121,8 @@ test("what is refused, named", async () => {
   expect(await refused(Diagram.fromAsync(items, { sinal: 7 }))).toMatch("options.sinal is unknown");
   expect(await refused(Diagram.fromAsync(items, { location: 7 }))).toMatch("options.location is 7");
   // They come last.
-  expect(await refused(Diagram.fromAsync(items, {}, () => 1))).toMatch("followed by something");
-  expect(await refused(Diagram.fromAsync(items, {}, {}))).toMatch("followed by something");
+  expect(await refused(Diagram.fromAsync(items, {}, () => 1))).toMatch("options are not last");
+  expect(await refused(Diagram.fromAsync(items, {}, {}))).toMatch("options are not last");
   expect(await refused(options({ signal: 7 }))).toMatch("bad-option: options.signal is 7");
   expect(await refused(options({ signal: null }))).toMatch("options.signal is null");
   expect(await refused(options({ onProgress: 7 }))).toMatch("bad-option: options.onProgress is 7");

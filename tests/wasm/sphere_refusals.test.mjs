@@ -116,7 +116,7 @@ test("arrays, weights, options and ids are refused by name", () => {
     [
       () => SphericalDiagram.from([[1, 2]], { radius: 3 }, (d) => d[0]),
       "bad-option",
-      "options are followed by something",
+      "options are not last",
     ],
     [() => SphericalDiagram.from(7), "bad-length", "items is 7"],
     [() => SphericalDiagram.from([], "lon"), "bad-option", 'lon is the string "lon"'],

@@ -61,13 +61,12 @@ export function accessorsAndOptions<T, Options extends object>(
   rest: unknown[],
   ...names: string[]
 ): [accessors: SomeAccessors<T>, options: Options | undefined] {
-  const first = rest.findIndex((given) => typeof given === "object" && given !== null);
-  const at = first < 0 ? 3 : Math.min(first, 3);
+  const at = [0, 1, 2].find((k) => typeof rest[k] === "object" && rest[k] !== null) ?? 3;
   const accessors = rest.slice(0, at) as SomeAccessors<T>;
   const [options, ...after] = rest.slice(at);
   checkOptions(options as object | undefined, ...names);
   if (after.some((given) => given !== undefined))
-    throw new ApolloniusError("bad-option", "options are followed by something, expected last");
+    throw new ApolloniusError("bad-option", "options are not last, but expected last");
   return [accessors, options as Options | undefined];
 }
 
