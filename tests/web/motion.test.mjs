@@ -29,9 +29,7 @@ describeInBrowser("motion", (open) => {
     await show(page, "random", { n: "200", hidden: "5" });
     const before = await circlesOf(page);
     await press("drift");
-    await page.waitForFunction(([, x]) => Math.abs(app.diagram.site(0).x - x) > 0.5, before[0], {
-      timeout: 20_000,
-    });
+    await page.waitForFunction(([, x]) => Math.abs(app.diagram.site(0).x - x) > 0.5, before[0]);
     expect((await stateOf(page)).broken).toBeNull();
     await page.evaluate(() => document.getElementById("drift").click());
     const after = await circlesOf(page);

@@ -15,7 +15,7 @@ async function cardOf(page, title) {
   return card;
 }
 
-const endOf = (card) => card.and(card.page().locator(kHasEnded)).waitFor({ timeout: 30_000 });
+const endOf = (card) => card.and(card.page().locator(kHasEnded)).waitFor();
 
 /** What the sandbox of a card shows: how many shapes, and how many points of a canvas. */
 const shownIn = (card) =>
@@ -164,17 +164,16 @@ describeInBrowser("recipe cards", (open) => {
   });
 });
 
-describeInFirefox("recipe cards in Firefox", (_, { browser, url }) => {
+describeInFirefox("recipe cards in Firefox", (open) => {
   test("the first card runs, and a loop without an end is stopped", async () => {
-    const page = await browser().newPage();
-    await page.goto(`${url()}recipes/`);
+    const page = await open({ path: "recipes/", ready: null });
     await page.$eval(".recipe", (card) => card.scrollIntoView());
-    await page.waitForSelector(".recipe[data-state=done]", { timeout: 30_000 });
+    await page.waitForSelector(".recipe[data-state=done]");
     await page.$eval(".recipe textarea", (text) => {
       text.value = "for (;;);";
     });
     await page.click(".recipe .run");
-    await page.waitForSelector(".recipe[data-state=failed]", { timeout: 30_000 });
+    await page.waitForSelector(".recipe[data-state=failed]");
     expect(await page.$eval(".recipe .failed", (said) => said.textContent)).toMatch(
       "Line 1: Error: the loop was stopped",
     );

@@ -31,7 +31,7 @@ const report =
  * packed package
  * @returns {Promise<Record<string, string>>} what each case reported first
  */
-export async function runPages(browser, cases, files, seconds = 60) {
+export async function runPages(browser, cases, files, seconds = 300) {
   const results = {};
   let finish;
   const finished = new Promise((resolve) => (finish = resolve));

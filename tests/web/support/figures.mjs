@@ -1,6 +1,7 @@
 // How readers use the figures of the site, whatever drives the browser: pages are Playwright's
 // (Chromium) or Puppeteer's (Firefox), and of what is used here only the finger differs. Each
 // question to Firefox can take 40 ms, so there are few of them.
+import { kHangs } from "./browser.mjs";
 import { press } from "./keys.mjs";
 
 /** A finger that comes down at the first point, goes to the others, and leaves. */
@@ -74,8 +75,8 @@ export const figuresOf = (page) =>
 export const reach = (page, name, parts = []) =>
   page.$eval(
     `[data-figure=${name}]`,
-    async (figure, parts) => {
-      const until = Date.now() + 40_000; // a busy machine shows no frames
+    async (figure, { parts, limit }) => {
+      const until = Date.now() + limit; // a busy machine shows no frames
       while (!figure.dataset.state && Date.now() < until) {
         figure.scrollIntoView({ block: "center" }); // figures above that start now may move it
         await new Promise((resolve) => setTimeout(resolve, 20));
@@ -86,7 +87,7 @@ export const reach = (page, name, parts = []) =>
       figure.scrollIntoView({ block: "center" });
       return parts.filter((part) => figure.querySelector(part));
     },
-    parts,
+    { parts, limit: kHangs },
   );
 
 /**
