@@ -63,12 +63,6 @@ class Batches {
   }
 
  private:
-  static std::vector<double> flat(const Circles& circles) {
-    std::vector<double> xyr;
-    for (const Circle& c : circles) xyr.insert(xyr.end(), {c.x, c.y, c.r});
-    return xyr;
-  }
-
   Diagram diagram_;
   std::map<SiteId, Circle> table_;
 };

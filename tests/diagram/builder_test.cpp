@@ -15,12 +15,6 @@
 namespace apollonius::test {
 namespace {
 
-std::vector<double> triples(const Circles& circles) {
-  std::vector<double> xyr;
-  for (const Circle& c : circles) xyr.insert(xyr.end(), {c.x, c.y, c.r});
-  return xyr;
-}
-
 Diagram insertedAtOnce(const std::vector<double>& xyr) {
   Diagram diagram;
   std::vector<SiteId> ids(xyr.size() / 3);
@@ -33,7 +27,7 @@ class BuilderOn : public ::testing::TestWithParam<NamedGenerator> {};
 TEST_P(BuilderOn, MakesTheSameDiagramInSteps) {
   Random random(461);
   const std::vector<double> xyr =
-      triples(GetParam().make(random, GetParam().large ? sized(1000, 3000) : 15));
+      flat(GetParam().make(random, GetParam().large ? sized(1000, 3000) : 15));
   const Diagram whole = insertedAtOnce(xyr);
   for (const std::size_t steps : kLengths) {
     Diagram diagram;
@@ -50,7 +44,7 @@ INSTANTIATE_TEST_SUITE_P(Corpus, BuilderOn, ::testing::ValuesIn(corpus()),
 
 TEST(Builder, GivenUpLeavesAnEmptyDiagram) {
   Random random(462);
-  const std::vector<double> xyr = triples(randomCircles(random, 400, Hidden::k20Percent));
+  const std::vector<double> xyr = flat(randomCircles(random, 400, Hidden::k20Percent));
   Diagram diagram;
   for (int most = 0; most < 80; most += 3) {
     ASSERT_NO_FATAL_FAILURE(expectNothingIfGivenUp<Builder>(diagram, xyr, most));
@@ -69,7 +63,7 @@ TEST(Builder, GivenUpLeavesAnEmptyDiagram) {
 
 TEST(Builder, StepsAreShort) {
   Random random(463);
-  const std::vector<double> xyr = triples(randomCircles(random, 5000, Hidden::kNone));
+  const std::vector<double> xyr = flat(randomCircles(random, 5000, Hidden::kNone));
   Diagram diagram;
   EXPECT_GE(build<Builder>(diagram, xyr, 5000, 50), 100);
 }
@@ -77,7 +71,7 @@ TEST(Builder, StepsAreShort) {
 // (Places were read that are no more.)
 TEST(Builder, MovedGoesOnWhereItWasAndIsDoneOnce) {
   Random random(464);
-  const std::vector<double> xyr = triples(randomCircles(random, 300, Hidden::k20Percent));
+  const std::vector<double> xyr = flat(randomCircles(random, 300, Hidden::k20Percent));
   expectMovedAndDoneOnce<Builder>(xyr, insertedAtOnce(xyr));
 }
 

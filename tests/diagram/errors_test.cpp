@@ -5,6 +5,7 @@
 #include <limits>
 #include <memory>
 
+#include "support/insert_into.h"
 #include "support/replay.h"
 
 namespace apollonius::test {
@@ -17,11 +18,7 @@ class Errors : public ::testing::Test {
  protected:
   Errors() {
     Random random(261);
-    const Circles circles = tinyGrid(random, 30, 12, 4);
-    std::vector<double> xyr;
-    for (const Circle& c : circles) xyr.insert(xyr.end(), {c.x, c.y, c.r});
-    ids_.resize(circles.size());
-    EXPECT_EQ(diagram_.insertMany(xyr, ids_), Error::kNone);
+    ids_ = insertInto(diagram_, tinyGrid(random, 30, 12, 4));
     before_ = state();
   }
 

@@ -7,6 +7,7 @@
 
 #include "support/corpus.h"
 #include "support/effort.h"
+#include "support/insert_into.h"
 #include "support/replay.h"
 
 namespace apollonius::test {
@@ -111,10 +112,7 @@ TEST_P(HistoryOn, RemovingHalfInBulk) {
   const std::size_t n = GetParam().large ? 400 : 16;
   const Circles circles = GetParam().make(random, n);
   Diagram diagram;
-  std::vector<double> xyr;
-  for (const Circle& c : circles) xyr.insert(xyr.end(), {c.x, c.y, c.r});
-  std::vector<SiteId> ids(circles.size());
-  ASSERT_EQ(diagram.insertMany(xyr, ids), Error::kNone);
+  const std::vector<SiteId> ids = insertInto(diagram, circles);
   Circles rest;
   std::vector<SiteId> victims;
   for (std::size_t k = 0; k < circles.size(); ++k) {

@@ -80,11 +80,8 @@ TEST(Ids, TableAlongRandomHistories) {
 TEST(Ids, BatchesGiveIdsInTheirOwnOrder) {
   Random random(272);
   const Circles circles = randomCircles(random, 500, Hidden::k20Percent);
-  std::vector<double> xyr;
-  for (const Circle& c : circles) xyr.insert(xyr.end(), {c.x, c.y, c.r});
-  std::vector<SiteId> ids(circles.size());
   Diagram diagram;
-  ASSERT_EQ(diagram.insertMany(xyr, ids), Error::kNone);
+  const std::vector<SiteId> ids = insertInto(diagram, circles);
   std::map<SiteId, Circle> table;
   for (std::size_t k = 0; k < ids.size(); ++k) table[ids[k]] = circles[k];
   expectTable(diagram, table);

@@ -9,6 +9,7 @@
 
 #include "support/corpus.h"
 #include "support/effort.h"
+#include "support/insert_into.h"
 #include "support/replay.h"
 
 namespace apollonius::test {
@@ -21,11 +22,8 @@ struct Listed {
 };
 
 Listed build(Diagram& diagram, const Circles& circles) {
-  std::vector<double> xyr;
-  for (const Circle& c : circles) xyr.insert(xyr.end(), {c.x, c.y, c.r});
   Listed listed;
-  listed.ids.resize(circles.size());
-  EXPECT_EQ(diagram.insertMany(xyr, listed.ids), Error::kNone);
+  listed.ids = insertInto(diagram, circles);
   EXPECT_EQ(diagram.faces(listed.faces), Error::kNone);
   EXPECT_EQ(diagram.vertices(listed.vertices), Error::kNone);
   EXPECT_EQ(diagram.edges(listed.edges), Error::kNone);

@@ -6,6 +6,7 @@
 #include "support/canonical.h"
 #include "support/corpus.h"
 #include "support/effort.h"
+#include "support/insert_into.h"
 #include "support/saved.h"
 
 namespace apollonius::internal {
@@ -14,11 +15,8 @@ namespace {
 using namespace test;
 
 Diagram diagramOf(const Circles& circles, std::vector<SiteId>& ids) {
-  std::vector<double> xyr;
-  for (const Circle& c : circles) xyr.insert(xyr.end(), {c.x, c.y, c.r});
-  ids.resize(circles.size());
   Diagram diagram;
-  EXPECT_EQ(diagram.insertMany(xyr, ids), Error::kNone);
+  ids = insertInto(diagram, circles);
   return diagram;
 }
 
@@ -123,9 +121,7 @@ TEST(Moves, AFewSitesJumpAnywhere) {
     const Circles circles = some(), next = some();
     std::vector<SiteId> ids, freshIds;
     Diagram diagram = restored(diagramOf(circles, ids));
-    std::vector<double> xyr;
-    for (const Circle& c : next) xyr.insert(xyr.end(), {c.x, c.y, c.r});
-    ASSERT_EQ(diagram.updateMany(ids, xyr), Error::kNone);
+    ASSERT_EQ(diagram.updateMany(ids, flat(next)), Error::kNone);
     std::string broken;
     ASSERT_EQ(diagram.validate(broken), Error::kNone);
     ASSERT_EQ(broken, "") << "run " << run;

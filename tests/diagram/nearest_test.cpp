@@ -57,10 +57,7 @@ std::vector<double> hardPoints(Random& random, const Circles& circles, int count
 
 void expectOraclesNearest(const Circles& circles, Location location, Random& random, int points) {
   Diagram diagram(location);
-  std::vector<double> xyr;
-  for (const Circle& c : circles) xyr.insert(xyr.end(), {c.x, c.y, c.r});
-  std::vector<SiteId> ids(circles.size());
-  ASSERT_EQ(diagram.insertMany(xyr, ids), Error::kNone);
+  insertInto(diagram, circles);
   const std::vector<double> xy = hardPoints(random, circles, points);
   std::vector<SiteId> nearest(xy.size() / 2);
   std::vector<double> distances(xy.size() / 2);

@@ -42,12 +42,6 @@ void build(Diagram& diagram, const Circles& circles) {
   }
 }
 
-std::vector<double> flat(const Circles& circles) {
-  std::vector<double> xyr;
-  for (const Circle& c : circles) xyr.insert(xyr.end(), {c.x, c.y, c.r});
-  return xyr;
-}
-
 std::vector<std::uint8_t> snapshotOf(const Circles& circles) {
   Diagram diagram;
   build(diagram, circles);

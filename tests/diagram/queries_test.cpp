@@ -9,6 +9,7 @@
 
 #include "support/corpus.h"
 #include "support/effort.h"
+#include "support/insert_into.h"
 #include "support/oracle.h"
 #include "support/random.h"
 
@@ -56,10 +57,7 @@ Circle hardPoint(Random& random, const Circles& circles, int kind) {
 class Fixture {
  public:
   explicit Fixture(const Circles& circles, Random& random) : circles_(circles) {
-    std::vector<double> xyr;
-    for (const Circle& c : circles) xyr.insert(xyr.end(), {c.x, c.y, c.r});
-    std::vector<SiteId> ids(circles.size());
-    EXPECT_EQ(diagram_.insertMany(xyr, ids), Error::kNone);
+    insertInto(diagram_, circles);
     // Some of the sites have come and gone, and some have been hidden and revived.
     for (std::size_t k = 0; k < circles.size() / 4; ++k) {
       const auto id = static_cast<SiteId>(random.below(circles.size()));

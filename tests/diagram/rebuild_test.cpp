@@ -8,6 +8,7 @@
 #include "apollonius/diagram.h"
 #include "support/corpus.h"
 #include "support/effort.h"
+#include "support/insert_into.h"
 #include "support/replay.h"
 #include "support/saved.h"
 
@@ -18,12 +19,6 @@ class Rebuild : public ::testing::TestWithParam<Location> {
  protected:
   Random random{611};
 };
-
-std::vector<double> flat(const Circles& circles) {
-  std::vector<double> xyr;
-  for (const Circle& c : circles) xyr.insert(xyr.end(), {c.x, c.y, c.r});
-  return xyr;
-}
 
 std::string validated(const Diagram& diagram) {
   std::string broken;
@@ -37,8 +32,7 @@ TEST_P(Rebuild, KeepsIdsAndSitesThatStay) {
                 after = randomCircles(random, n, Hidden::k50Percent);
   for (const std::size_t stride : {1u, 2u, 9u}) {  // all, half, some of them go elsewhere
     Diagram diagram(GetParam());
-    std::vector<SiteId> ids(n);
-    ASSERT_EQ(diagram.insertMany(flat(before), ids), Error::kNone);
+    const std::vector<SiteId> ids = insertInto(diagram, before);
     Circles expected = before;
     std::vector<bool> isThere(n, true);
     bool removed = false;
@@ -55,7 +49,7 @@ TEST_P(Rebuild, KeepsIdsAndSitesThatStay) {
       expected[k] = after[k];
     }
     Diagram oneByOne(GetParam());
-    ASSERT_EQ(oneByOne.insertMany(flat(before), ids), Error::kNone);
+    insertInto(oneByOne, before);
     for (std::size_t k = 3; k < n; k += 7)
       ASSERT_EQ(oneByOne.remove(ids[k], removed), Error::kNone);
     for (std::size_t k = 0; k < moved.size(); ++k) {
@@ -92,8 +86,7 @@ TEST_P(Rebuild, KeepsIdsAndSitesThatStay) {
 TEST_P(Rebuild, IsSavedWithItsFreeIds) {
   const Circles before = randomCircles(random, 100, Hidden::kNone);
   Diagram diagram(GetParam()), restored(GetParam());
-  std::vector<SiteId> ids(100);
-  ASSERT_EQ(diagram.insertMany(flat(before), ids), Error::kNone);
+  std::vector<SiteId> ids = insertInto(diagram, before);
   bool removed = false;
   for (SiteId gone = 0; gone < 3; ++gone) {
     ASSERT_EQ(diagram.remove(gone, removed), Error::kNone);
@@ -113,8 +106,7 @@ TEST_P(Rebuild, WhereverItStartsTheDiagramIsThatOfTheSites) {
   const Circles start = randomCircles(random, n, Hidden::k5Percent);
   const double gap = 2e6 / 40;
   Diagram diagram(GetParam());
-  std::vector<SiteId> ids(n);
-  ASSERT_EQ(diagram.insertMany(flat(start), ids), Error::kNone);
+  const std::vector<SiteId> ids = insertInto(diagram, start);
   Circles now = start;
   for (const double share : {0.001, 0.01, 0.02, 0.03, 0.05, 0.1, 0.3, 1.0, 0.01, 0.001}) {
     for (Circle& c : now)

@@ -10,6 +10,7 @@
 #include "predicate/stage_counts.h"
 #include "support/corpus.h"
 #include "support/effort.h"
+#include "support/insert_into.h"
 #include "support/operations.h"
 #include "support/oracle.h"
 
@@ -166,11 +167,8 @@ TEST(SectorWalk, AsksFewNeighborsOfAGiant) {
       const Direction d = randomDirection(random);
       circles.push_back({d.x * (1e6 + 1), d.y * (1e6 + 1), random.unit()});
     }
-    std::vector<double> xyr;
-    for (const Circle& c : circles) xyr.insert(xyr.end(), {c.x, c.y, c.r});
-    std::vector<SiteId> ids(circles.size());
     Diagram diagram;
-    EXPECT_EQ(diagram.insertMany(xyr, ids), Error::kNone);
+    insertInto(diagram, circles);
     stages::counts() = {};
     for (int k = 0; k < 1000; ++k) {
       const Direction d = randomDirection(random);

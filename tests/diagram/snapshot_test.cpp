@@ -11,6 +11,7 @@
 
 #include "support/corpus.h"
 #include "support/effort.h"
+#include "support/insert_into.h"
 #include "support/replay.h"
 #include "support/saved.h"
 #include "support/snapshots.h"
@@ -152,11 +153,8 @@ TEST_P(OnCorpus, RestoredIsTheSameAfterAnyHistory) {
 TEST_P(OnCorpus, RestoredIsTheSameAfterBulk) {
   Random random(17);
   const Circles pool = GetParam().make(random, GetParam().large ? 700 : 14);
-  std::vector<double> xyr;
-  for (const Circle& c : pool) xyr.insert(xyr.end(), {c.x, c.y, c.r});
-  std::vector<SiteId> ids(pool.size());
   Diagram diagram;
-  ASSERT_EQ(diagram.insertMany(xyr, ids), Error::kNone);
+  const std::vector<SiteId> ids = insertInto(diagram, pool);
   std::size_t removed = 0;
   ASSERT_EQ(diagram.removeMany(std::span(ids).first(ids.size() / 5), removed), Error::kNone);
   expectSame(diagram, Location::kHierarchy, random, pool);

@@ -44,8 +44,7 @@ class Checker {
         tolerance_(tolerance),
         random_(random),
         voronoi_(diagram_, bounds) {
-    std::vector<double> xyr;
-    for (const Circle& c : circles) xyr.insert(xyr.end(), {c.x, c.y, c.r});
+    const std::vector<double> xyr = flat(circles);
     std::vector<SiteId> ids(circles.size());
     take(diagram_.insertMany(xyr, ids));
   }

@@ -27,8 +27,7 @@ class Checker {
  public:
   explicit Checker(Bytes& bytes) : bytes_(bytes) {
     const Circles circles = circlesOf(bytes);
-    std::vector<double> xyr;
-    for (const Circle& c : circles) xyr.insert(xyr.end(), {c.x, c.y, c.r});
+    const std::vector<double> xyr = flat(circles);
     std::vector<SiteId> ids(circles.size());
     take(diagram_.insertMany(xyr, ids));
     for (SiteId id = 0; id < ids.size(); ++id) circles_[id] = circles[id];

@@ -21,8 +21,7 @@ TEST_P(EdgesOn, EndInTheOrderOfTheirParameters) {
   test::Random random(241);
   for (int run = 0; run < test::runs(4); ++run) {
     const test::Circles circles = GetParam().make(random, GetParam().large ? 60 : 12);
-    std::vector<double> xyr;
-    for (const Circle& c : circles) xyr.insert(xyr.end(), {c.x, c.y, c.r});
+    const std::vector<double> xyr = test::flat(circles);
     std::vector<SiteId> ids(circles.size());
     DiagramCore core(Location::kHierarchy);
     insertAll(core, xyr, ids);

@@ -337,8 +337,7 @@ TEST_F(GeometryOutOfMemory, RegionsWalksAndBuildersSaySoAndAnswerAfterwards) {
   for (const std::size_t n : {1u, 2u, 40u}) {
     Random random(n);
     circles_ = randomCircles(random, n, Hidden::k20Percent);
-    std::vector<double> xyr;
-    for (const Circle& c : circles_) xyr.insert(xyr.end(), {c.x, c.y, c.r});
+    const std::vector<double> xyr = flat(circles_);
     for (const Call& call : others(xyr)) fail(call, false);
   }
   EXPECT_GT(failed_, 50);
@@ -427,9 +426,7 @@ TEST_F(GeometryOutOfMemory, FitsGoOnAfterwards) {
 // did not have any more.)
 TEST_F(GeometryOutOfMemory, BuildersSaySoAgain) {
   Random random(9);
-  std::vector<double> xyr;
-  for (const Circle& c : randomCircles(random, 60, Hidden::k20Percent))
-    xyr.insert(xyr.end(), {c.x, c.y, c.r});
+  const std::vector<double> xyr = flat(randomCircles(random, 60, Hidden::k20Percent));
   for (std::size_t at = 0;; ++at) {
     SCOPED_TRACE("allocation " + std::to_string(at));
     Diagram diagram;

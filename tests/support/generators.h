@@ -14,6 +14,13 @@ namespace apollonius::test {
 
 using Circles = std::vector<Circle>;
 
+/// x, y, r of each, as batches take them.
+inline std::vector<double> flat(const Circles& circles) {
+  std::vector<double> xyr;
+  for (const Circle& c : circles) xyr.insert(xyr.end(), {c.x, c.y, c.r});
+  return xyr;
+}
+
 /// A point of the unit circle, correct to rounding, every direction possible (not uniform in angle,
 /// but nearly).
 struct Direction {

@@ -12,8 +12,7 @@ namespace apollonius::test {
 
 /// Their ids, in the same order.
 inline std::vector<SiteId> insertInto(Diagram& diagram, const Circles& circles) {
-  std::vector<double> xyr;
-  for (const Circle& c : circles) xyr.insert(xyr.end(), {c.x, c.y, c.r});
+  const std::vector<double> xyr = flat(circles);
   std::vector<SiteId> ids(circles.size());
   EXPECT_EQ(diagram.insertMany(xyr, ids), Error::kNone);
   return ids;

@@ -136,8 +136,7 @@ std::string checkHistory(const History& history, const Checks& checks) {
 Canonical freshBuild(const Circles& circles, Build build, Location location, std::string& broken) {
   Diagram diagram(location);
   if (build == Build::kBulk) {
-    std::vector<double> xyr;
-    for (const Circle& c : circles) xyr.insert(xyr.end(), {c.x, c.y, c.r});
+    const std::vector<double> xyr = flat(circles);
     std::vector<SiteId> ids(circles.size());
     if (diagram.insertMany(xyr, ids) != Error::kNone) broken = "insertMany failed";
   } else {

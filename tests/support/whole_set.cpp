@@ -10,16 +10,6 @@
 
 namespace apollonius::test {
 
-namespace {
-
-std::vector<double> flat(const Circles& circles) {
-  std::vector<double> xyr;
-  for (const Circle& c : circles) xyr.insert(xyr.end(), {c.x, c.y, c.r});
-  return xyr;
-}
-
-}  // namespace
-
 WholeSet::WholeSet(const Circles& circles, Location location) : diagram_(location) {
   insert(circles);
 }

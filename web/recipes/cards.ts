@@ -35,7 +35,8 @@ async function loadModules(): Promise<Record<string, string>> {
   const folder = new URL("lib/apollonius-diagram/", site);
   const load = async (file: string) => {
     const address = new URL(`${file}.js`, folder);
-    const response = await fetch(address);
+    // Once more if it fails: a network that changes drops what is being loaded.
+    const response = await fetch(address).catch(() => fetch(address));
     if (!response.ok) throw new Error(`${file}.js of the package cannot be loaded`);
     const named = (_: string, before: string, to: string) =>
       `${before}"${nameOf(new URL(to, address).href.slice(folder.href.length))}"`;

@@ -126,9 +126,10 @@ const kNetworkChanged = "net::ERR_NETWORK_CHANGED";
 
 /** Opens an address in a page; again, at most twice, if the machine's network changed. */
 async function load(page, address, ready) {
+  const isDropped = () => page.isDropped;
   for (let again = 2; ; --again) {
     page.errors.length = 0;
-    const isDropped = () => page.errors.some((one) => one.includes(kNetworkChanged));
+    page.isDropped = false;
     try {
       await page.goto(address);
       if (ready && !isDropped()) {
@@ -139,7 +140,7 @@ async function load(page, address, ready) {
     } catch (error) {
       if (!isDropped()) throw error;
     }
-    if (again === 0) throw new Error(`${address}: ${page.errors.join(", ")}`);
+    if (again === 0) throw new Error(`${address}: ${kNetworkChanged}`);
   }
 }
 
@@ -183,12 +184,17 @@ async function openPage(browser, url, options = {}) {
   const page = await context.newPage();
   if (!isOwn) await page.setViewportSize(viewport);
   page.errors = [];
-  page.on("console", (message) => message.type() === "error" && page.errors.push(message.text()));
+  page.isDropped = false; // something, by the network: no error of the page's
+  const fail = (text) => {
+    if (text.includes(kNetworkChanged)) page.isDropped = true;
+    else page.errors.push(text);
+  };
+  page.on("console", (message) => message.type() === "error" && fail(message.text()));
   page.on("pageerror", (error) => page.errors.push(String(error)));
   page.on("requestfailed", (request) => {
     // What a page that is left had asked for is no failure.
-    const isLeft = request.failure()?.errorText === "net::ERR_ABORTED";
-    if (!isLeft) page.errors.push(`failed: ${request.url()}`);
+    const { errorText } = request.failure();
+    if (errorText !== "net::ERR_ABORTED") fail(`failed: ${request.url()}, ${errorText}`);
   });
   page.on(
     "response",
