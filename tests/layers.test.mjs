@@ -389,6 +389,24 @@ test("each mutant, and each line that no test comes by, has its place in the sou
   }
 });
 
+test("documents name files and code that are there", () => {
+  const read = (file) => readFileSync(path.join(root, file), "utf8");
+  const isCode = /\.(cpp|h|ts|m?js|jsx|vue|svelte|cmake|yml|json|html|css|txt)$/;
+  const code = files.filter((file) => isCode.test(file)).map(read);
+  const known = `${files.join("\n")}\n${code.join("\n")}`;
+  // Names of other libraries are in the examples.
+  const names =
+    /`((?:\w+::)?([A-Za-z_]\w+)(?:\(\))?|(?!dist\/)([\w./-]+\.(?:ts|mjs|cpp|h|json|cmake)))`/g;
+  const missing = files
+    .filter((file) => file.endsWith(".md") && file !== "docs/API.md") // that one is generated
+    .flatMap((file) =>
+      [...read(file).matchAll(names)]
+        .filter(([, , name, place]) => !known.includes(name ?? place))
+        .map(([, what]) => `${file}: ${what}`),
+    );
+  expect(missing).toEqual([]);
+});
+
 test("top-level entries are the documented ones", () => {
   const allowed = new Set([
     "src",
