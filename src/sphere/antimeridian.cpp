@@ -150,8 +150,8 @@ void AntimeridianCutter::followChords(std::span<const MapPoint> ring, std::size_
   }
 }
 
-void AntimeridianCutter::cut(std::span<const MapPoint> ring,
-                             const std::function<double()>& areaOfCell, LonLatRings& output) {
+void AntimeridianCutter::cut(std::span<const MapPoint> ring, FunctionRef<double()> areaOfCell,
+                             LonLatRings& output) {
   points_.clear();
   arcs_.clear();
   ring_.clear();

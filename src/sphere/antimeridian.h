@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <span>
 
 #include "base/flat_array.h"
+#include "base/function_ref.h"
 #include "sphere/cap.h"
 
 namespace apollonius::internal::sphere {
@@ -38,8 +38,7 @@ class AntimeridianCutter {
   /// Cuts a ring of snapped points that has the cell at its left and is not closed, and appends
   /// what it becomes: outer rings counter-clockwise, holes clockwise. No points stand for the whole
   /// sphere. Few rings need the area of their cell on the unit sphere. Throws std::bad_alloc.
-  void cut(std::span<const MapPoint> ring, const std::function<double()>& areaOfCell,
-           LonLatRings& output);
+  void cut(std::span<const MapPoint> ring, FunctionRef<double()> areaOfCell, LonLatRings& output);
 
  private:
   /// A part of the ring inside of the rectangle, from border to border.

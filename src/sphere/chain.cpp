@@ -117,32 +117,39 @@ bool ChainMaker::isFine(const MapPoint& a, const MapPoint& middle, const MapPoin
          line.distance <= std::min(tolerance_ * (180 / std::numbers::pi), kFlat * line.length);
 }
 
-template <class PointAt, class AreEnough>
 void ChainMaker::subdivide(double width, const MapPoint& first, const MapPoint& last,
-                           PointAt&& pointAt, AreEnough&& areEnough, FlatArray<MapPoint>& points) {
+                           PointAt pointAt, FitOf fitOf, FlatArray<MapPoint>& points) {
   // Beside a pole, pieces become as short as the distance within which points are moved there.
   constexpr int kDeepest = 45;
   MapPoint a = first;
-  ends_.assign(1, last);
+  const std::size_t outer = ends_.size();
+  ends_.push_back(last);
   // The piece under way is the one with this number of 2^depth.
   std::uint64_t number = 0;
-  for (int depth = 0; !ends_.empty();) {
+  for (int depth = 0; ends_.size() > outer;) {
     const double part = 1 / static_cast<double>(std::uint64_t{1} << depth);
     const double from = part * static_cast<double>(number);
     const MapPoint b = ends_.back();
     const MapPoint middle = pointAt(from + part / 2);
-    const bool isDone =
-        depth == kDeepest ||
-        (part * width < std::numbers::pi / 2 &&
-         (isShort(a.point, middle.point, b.point) || (areEnough(a, b) && isFine(a, middle, b))));
-    if (!isDone) {
+    Fit fit = Fit::kCoarse;
+    if (depth == kDeepest) {
+      fit = Fit::kFine;
+    } else if (part * width < std::numbers::pi / 2) {
+      if (isShort(a.point, middle.point, b.point)) {
+        fit = Fit::kFine;
+      } else if (isFine(a, middle, b)) {
+        fit = fitOf(a, b);
+      }
+    }
+    if (fit == Fit::kCoarse) {
       ends_.push_back(middle);
       ++depth;
       number *= 2;
       continue;
     }
     ends_.pop_back();
-    if (!ends_.empty()) points.push_back(b);
+    if (fit == Fit::kRadial) appendArc(a, b, points);
+    if (ends_.size() > outer) points.push_back(b);
     a = b;
     for (++number; depth > 0 && number % 2 == 0; --depth) number /= 2;
   }
@@ -210,34 +217,43 @@ void ChainMaker::follow(const Edge& edge, double from, double to, const MapPoint
                         const MapPoint& last, FlatArray<MapPoint>& points) {
   if (edge.isPoint) return;
   const Direction other = diagram_.cap(edge.neighbor).centre;
-  subdivide((to - from) * edge.sector.width, first, last,
-            [&](double part) { return shown(edge.at(from + part * (to - from))); },
-            [&](const MapPoint& a, const MapPoint& b) {
-              return isLessThanQuarter(other, a.point, b.point) &&
-                     (edge.isStraight || isFineAtChord(edge, a, b));
-            },
-            points);
+  const auto pointAt = [&](double part) { return shown(edge.at(from + part * (to - from))); };
+  const auto fitOf = [&](const MapPoint& a, const MapPoint& b) {
+    if (!isLessThanQuarter(other, a.point, b.point)) return Fit::kCoarse;
+    return edge.isStraight ? Fit::kFine : fitAtChord(edge, a, b);
+  };
+  subdivide((to - from) * edge.sector.width, first, last, pointAt, fitOf, points);
 }
 
-bool ChainMaker::isFineTowards(const SphericalBisector& bisector, const Direction& centre,
-                               const Frame& frame, double x, double y, const MapPoint& a,
-                               const MapPoint& b) const {
+void ChainMaker::appendArc(const MapPoint& a, const MapPoint& b, FlatArray<MapPoint>& points) {
+  if (joint_ == Joint::kGreatArc) return;
+  const auto pointAt = [&](double part) {
+    const Direction point = (1 - part) * a.point + part * b.point;
+    return shown(1 / lengthOf(point) * point);
+  };
+  subdivide(0, a, b, pointAt, kIsFine, points);
+}
+
+ChainMaker::Fit ChainMaker::fitTowards(const SphericalBisector& bisector, const Direction& centre,
+                                       const Frame& frame, double x, double y, const MapPoint& a,
+                                       const MapPoint& b) const {
   const double length = std::sqrt(x * x + y * y);
   const SphericalBisector::At at = bisector.at(x / length, y / length);
-  // A piece that goes straight away from the site is met anywhere.
   constexpr double kPart = 0x1p-10;
-  if (at.rounding > std::min(tolerance_, kPart * lengthOf(b.point - a.point))) return true;
-  return isFine(a, shown(at.point(centre, frame)), b);
+  if (at.rounding > std::min(tolerance_, kPart * lengthOf(b.point - a.point))) return Fit::kRadial;
+  return isFine(a, shown(at.point(centre, frame)), b) ? Fit::kFine : Fit::kCoarse;
 }
 
-bool ChainMaker::isFineAtChord(const Edge& edge, const MapPoint& a, const MapPoint& b) const {
+ChainMaker::Fit ChainMaker::fitAtChord(const Edge& edge, const MapPoint& a,
+                                       const MapPoint& b) const {
   const Frame& frame = edge.frame;
   const double x1 = dot(a.point, frame.first), y1 = dot(a.point, frame.second);
   const double x2 = dot(b.point, frame.first), y2 = dot(b.point, frame.second);
   constexpr double kStraight = 0x1p-16;  // away from the site
   const double turn = std::abs(x1 * y2 - x2 * y1), both = (x1 * x1 + y1 * y1) * (x2 * x2 + y2 * y2);
-  return turn * turn <= kStraight * kStraight * both ||
-         isFineTowards(edge.sector.bisector, edge.centre, frame, x1 + x2, y1 + y2, a, b);
+  return turn * turn <= kStraight * kStraight * both
+             ? Fit::kRadial
+             : fitTowards(edge.sector.bisector, edge.centre, frame, x1 + x2, y1 + y2, a, b);
 }
 
 bool ChainMaker::isOnePiece(VertexId node, VertexId neighbor, const MapPoint& from,
@@ -257,8 +273,9 @@ bool ChainMaker::isOnePiece(VertexId node, VertexId neighbor, const MapPoint& fr
   const double x = x1 * length2 + x2 * length1, y = y1 * length2 + y2 * length1;
   const double length = std::sqrt(x * x + y * y);
   const MapPoint middle = shown(bisector.at(x / length, y / length).point(cap.centre, frame));
-  return isFine(from, middle, to) &&
-         isFineTowards(bisector, cap.centre, frame, x1 + x2, y1 + y2, from, to);
+  if (!isFine(from, middle, to)) return false;
+  const Fit fit = fitTowards(bisector, cap.centre, frame, x1 + x2, y1 + y2, from, to);
+  return fit == Fit::kFine || (fit == Fit::kRadial && joint_ == Joint::kGreatArc);
 }
 
 std::span<const MapPoint> ChainMaker::innerOf(HalfedgeId h, const MapPoint& first,
@@ -391,9 +408,8 @@ MapPoint ChainMaker::onCircle(VertexId node, double reach, double bearing) const
 
 void ChainMaker::appendCircle(VertexId node, double reach, const MapPoint& first, double from,
                               double width, const MapPoint& last, FlatArray<MapPoint>& points) {
-  subdivide(
-      width, first, last, [&](double part) { return onCircle(node, reach, from + part * width); },
-      [](const MapPoint&, const MapPoint&) { return true; }, points);
+  const auto pointAt = [&](double part) { return onCircle(node, reach, from + part * width); };
+  subdivide(width, first, last, pointAt, kIsFine, points);
 }
 
 }  // namespace apollonius::internal::sphere

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/flat_array.h"
+#include "base/function_ref.h"
 #include "sphere/cell.h"
 
 namespace apollonius::internal::sphere {
@@ -58,12 +59,20 @@ class ChainMaker {
   void appendWithin(const Edge& edge, VertexId node, const Sector& sector,
                     const AngularReach& reach, FlatArray<MapPoint>& points,
                     FlatArray<Strand>& strands);
+  /// How close a piece is to its curve; `kRadial`: it goes straight away from the site, so that the
+  /// curve can be met anywhere on it, and is the arc of a great circle as well as can be told.
+  enum class Fit : unsigned char { kCoarse, kFine, kRadial };
+  using PointAt = FunctionRef<MapPoint(double)>;
+  using FitOf = FunctionRef<Fit(const MapPoint&, const MapPoint&)>;
+  /// Of curves whose middle says enough.
+  static constexpr auto kIsFine = [](const MapPoint&, const MapPoint&) { return Fit::kFine; };
   /// Appends the points between the ends of a curve that turns by `width`, of which
   /// pointAt(part) is at a part from 0 to 1. Pieces are halved until they are close to the curve
-  /// and areEnough(a, b) agrees.
-  template <class PointAt, class AreEnough>
-  void subdivide(double width, const MapPoint& first, const MapPoint& last, PointAt&& pointAt,
-                 AreEnough&& areEnough, FlatArray<MapPoint>& points);
+  /// at their middle and by fitOf(a, b).
+  void subdivide(double width, const MapPoint& first, const MapPoint& last, PointAt pointAt,
+                 FitOf fitOf, FlatArray<MapPoint>& points);
+  /// Appends the points between the ends of an arc of a great circle, shorter than a quarter.
+  void appendArc(const MapPoint& a, const MapPoint& b, FlatArray<MapPoint>& points);
   /// Appends the points between the ends of a part of an edge.
   void follow(const Edge& edge, double from, double to, const MapPoint& first, const MapPoint& last,
               FlatArray<MapPoint>& points);
@@ -77,11 +86,11 @@ class ChainMaker {
   [[nodiscard]] const MapPoint& vertexOf(FaceId face);
   /// Is a piece also close to the edge in the direction of the middle of its chord? In that of half
   /// its turn, an edge that comes from afar and turns beside the site may be at the turn already.
-  [[nodiscard]] bool isFineAtChord(const Edge& edge, const MapPoint& a, const MapPoint& b) const;
+  [[nodiscard]] Fit fitAtChord(const Edge& edge, const MapPoint& a, const MapPoint& b) const;
   /// Is a piece close to the bisector in a direction from the site?
-  [[nodiscard]] bool isFineTowards(const SphericalBisector& bisector, const Direction& centre,
-                                   const Frame& frame, double x, double y, const MapPoint& a,
-                                   const MapPoint& b) const;
+  [[nodiscard]] Fit fitTowards(const SphericalBisector& bisector, const Direction& centre,
+                               const Frame& frame, double x, double y, const MapPoint& a,
+                               const MapPoint& b) const;
   /// Can its ends alone stand for an edge, which is followed from `node`? A filter without
   /// trigonometry, which knows most of them.
   [[nodiscard]] bool isOnePiece(VertexId node, VertexId neighbor, const MapPoint& first,

@@ -74,6 +74,7 @@ TEST(Ids, TableAlongRandomHistories) {
       if (HasFatalFailure()) FAIL() << "run " << run << " step " << step;
     }
     EXPECT_LT(largest, mostSites) << "ids of removed sites are used again";
+    EXPECT_EQ(diagram.idLimit(), largest + 1);
   }
 }
 

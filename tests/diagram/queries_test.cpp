@@ -173,9 +173,55 @@ TEST(Nearby, EmptyDiagramNothingAskedFor) {
   EXPECT_EQ(sites, std::vector<SiteId>{id});
 }
 
+TEST(Nearby, OfManyPointsAreThoseOfEach) {
+  Random random(354);
+  Diagram diagram;
+  insertInto(diagram, randomCircles(random, 500, Hidden::k20Percent));
+  std::vector<double> xy;
+  for (int k = 0; k < 600; ++k) xy.push_back(random.between(-1e6, 1e6));
+  for (const double farthest : {std::numeric_limits<double>::infinity(), 5e4, -1e4}) {
+    NearbyLists lists, bare;
+    ASSERT_EQ(diagram.kNearestMany(xy, 6, farthest, true, lists), Error::kNone);
+    ASSERT_EQ(diagram.kNearestMany(xy, 6, farthest, false, bare), Error::kNone);
+    EXPECT_EQ(bare.ids, lists.ids);
+    EXPECT_EQ(bare.starts, lists.starts);
+    EXPECT_TRUE(bare.distances.empty());
+    ASSERT_EQ(lists.starts.size(), xy.size() / 2 + 1);
+    ASSERT_EQ(lists.distances.size(), lists.ids.size());
+    for (std::size_t k = 0; 2 * k < xy.size(); ++k) {
+      std::vector<SiteId> expected;
+      ASSERT_EQ(diagram.kNearest(xy[2 * k], xy[2 * k + 1], 6, farthest, expected), Error::kNone);
+      const auto begin = lists.ids.begin() + lists.starts[k];
+      ASSERT_EQ(std::vector<SiteId>(begin, lists.ids.begin() + lists.starts[k + 1]), expected);
+      if (expected.empty()) continue;
+      SiteId nearest = kNoSite;
+      double distance = 0;
+      ASSERT_EQ(diagram.find(xy[2 * k], xy[2 * k + 1], nearest, distance), Error::kNone);
+      ASSERT_EQ(lists.distances[lists.starts[k]], distance);
+    }
+  }
+  NearbyLists lists;
+  EXPECT_EQ(diagram.kNearestMany(std::span(xy).first(3), 6, 1, true, lists), Error::kBadLength);
+}
+
+TEST(Farthest, TiesGoToTheHeavierThenTheGreaterXThenY) {
+  for (const Circles& circles :
+       {Circles{{0, 5, 0}, {3, 0, 2}, {-5, 0, 0}, {-3, 0, 2}, {0, -4, 1}, {0, 3, 2}},
+        Circles{{-3, 0, 2}, {0, 3, 2}, {0, -4, 1}, {3, 0, 2}, {0, 5, 0}, {-5, 0, 0}}}) {
+    Diagram diagram;
+    insertInto(diagram, circles);
+    SiteId id = kNoSite;
+    double distance = 0;
+    ASSERT_EQ(diagram.farthest(0, 0, id, distance), Error::kNone);
+    EXPECT_TRUE(same(circles[id], {3, 0, 2}));
+    EXPECT_EQ(distance, 5);
+  }
+}
+
 TEST(Nearby, BadNumbersAreErrors) {
   Diagram diagram;
   std::vector<SiteId> sites;
+  NearbyLists lists;
   const double nan = std::numeric_limits<double>::quiet_NaN(),
                infinity = std::numeric_limits<double>::infinity();
   EXPECT_EQ(diagram.kNearest(nan, 0, 1, sites), Error::kNotFinite);
@@ -183,6 +229,8 @@ TEST(Nearby, BadNumbersAreErrors) {
   EXPECT_EQ(diagram.within(0, infinity, 1, sites), Error::kNotFinite);
   EXPECT_EQ(diagram.within(0, 0, nan, sites), Error::kNotFinite);
   EXPECT_EQ(diagram.within(0, 0, 1e-101, sites), Error::kOutOfRange);
+  EXPECT_EQ(diagram.kNearestMany(std::vector{0.0, nan}, 1, 1, true, lists), Error::kNotFinite);
+  EXPECT_EQ(diagram.kNearestMany({}, 1, nan, true, lists), Error::kNotFinite);
 }
 
 }  // namespace

@@ -278,6 +278,44 @@ TEST(Reach, ACircleThatTouchesASideIsCutAsIfItWereElsewhere) {
   }
 }
 
+/// Cells of a lattice are rectangles of 6 by 8: circles of radius 3 and 4 touch their sides, one of
+/// radius 5 passes their corners.
+TEST(Reach, CirclesThatTouchEdgesOrEndInVerticesAreCutAsOthersAre) {
+  const double discWithin3 = 2 * (3 * std::sqrt(7.0) + 16 * std::asin(0.75));
+  for (const double scale : {1.0, 0.1, 1e6}) {
+    for (const double place : {0.0, 0.3, -1000.0}) {
+      for (const double r : {0.0, 1.0}) {
+        Circles circles;
+        for (int i = 0; i < 4; ++i) {
+          for (int j = 0; j < 4; ++j)
+            circles.push_back({scale * (place + 6 * i), scale * (place + 8 * j), scale * r});
+        }
+        Diagram diagram;
+        insertInto(diagram, circles);
+        const double low = scale * (place - 3), bottom = scale * (place - 4);
+        const Bounds bounds{low, bottom, low + scale * 24, bottom + scale * 32};
+        for (const auto& [radius, area] :
+             {std::pair{3.0, 9 * kPi}, {4.0, discWithin3}, {5.0, 48.0}, {6.0, 48.0}}) {
+          SCOPED_TRACE(testing::Message() << scale << ' ' << place << ' ' << r << ' ' << radius);
+          const Reach reach(scale * (radius - r));
+          const Voronoi voronoi(diagram, bounds, &reach);
+          std::vector<double> areas;
+          CoverageArrays coverage;
+          ASSERT_EQ(voronoi.cellAreas(areas), Error::kNone);
+          ASSERT_EQ(voronoi.cellPolygons(scale * 1e-4, coverage), Error::kNone);
+          EXPECT_EQ(coverage.sites.size(), circles.size());
+          for (SiteId id = 0; id < areas.size(); ++id) {
+            RingArrays polygon;
+            ASSERT_EQ(voronoi.cellPolygon(id, scale * 1e-4, polygon), Error::kNone);
+            EXPECT_NEAR(areas[id], scale * scale * area, 1e-7 * scale * scale * area);
+            EXPECT_NEAR(areaOf(polygon), scale * scale * area, 1e-3 * scale * scale * area);
+          }
+        }
+      }
+    }
+  }
+}
+
 TEST(Reach, ADistanceIsMissingForASite) {
   Diagram diagram;
   insertInto(diagram, {{-3, 0, 0}, {3, 0, 0}});

@@ -2,6 +2,7 @@
 // diagram gives, lists of sites, and the search that goes on.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -210,6 +211,9 @@ TEST(SphericalCalls, AnEmptyDiagramHasNothing) {
   ASSERT_EQ(diagram.find(1, 2, id, distance), Error::kNone);
   EXPECT_EQ(id, kNoSite);
   EXPECT_EQ(distance, kInfinity);
+  ASSERT_EQ(diagram.farthest(1, 2, id, distance), Error::kNone);
+  EXPECT_EQ(id, kNoSite);
+  EXPECT_EQ(distance, -kInfinity);
   const double points[] = {1, 2, 3, 4};
   std::vector<SiteId> found(2), sites = {77};
   std::vector<double> distances(2);
@@ -247,6 +251,65 @@ TEST(SphericalCalls, NoNearestSitesAreAskedFor) {
   std::vector<SiteId> sites = {77};
   ASSERT_EQ(threeSites().kNearest(1, 2, 0, kInfinity, sites), Error::kNone);
   EXPECT_TRUE(sites.empty());
+}
+
+TEST(SphericalCalls, UnderAPointIsTheSmallestOrTheLastElseTheNearest) {
+  Random random(72);
+  const SphericalSites sites = randomSites(random, 60, 0.4);
+  const SphericalDiagram diagram = diagramOf(sites);
+  int inNone = 0, inSeveral = 0;
+  for (int k = 0; k < 300; ++k) {
+    const SphericalPoint p = randomPoint(random);
+    std::vector<SiteId> containing, nearest;
+    ASSERT_EQ(diagram.kNearest(p.lon, p.lat, sites.size(), 0, containing), Error::kNone);
+    ASSERT_EQ(diagram.kNearest(p.lon, p.lat, 1, kInfinity, nearest), Error::kNone);
+    inNone += containing.empty() ? 1 : 0;
+    inSeveral += containing.size() > 1 ? 1 : 0;
+    const auto isSmaller = [&](SiteId a, SiteId b) { return sites[a].r < sites[b].r; };
+    const SiteId smallest =
+        containing.empty() ? nearest[0] : *std::ranges::min_element(containing, isSmaller);
+    const SiteId last = containing.empty() ? nearest[0] : *std::ranges::max_element(containing);
+    SiteId id = kNoSite;
+    ASSERT_EQ(diagram.pick(p.lon, p.lat, kInfinity, Top::kSmallest, id), Error::kNone);
+    EXPECT_EQ(id, smallest);
+    ASSERT_EQ(diagram.pick(p.lon, p.lat, kInfinity, Top::kLast, id), Error::kNone);
+    EXPECT_EQ(id, last);
+    ASSERT_EQ(diagram.pick(p.lon, p.lat, 0, Top::kLast, id), Error::kNone);
+    EXPECT_EQ(id, containing.empty() ? kNoSite : last);
+  }
+  EXPECT_GT(inNone, 10);
+  EXPECT_GT(inSeveral, 10);
+}
+
+TEST(SphericalCalls, TheFarthestSideIsOppositeToTheNearest) {
+  Random random(73);
+  for (const NamedSites& set : namedSets(random, 40)) {
+    SCOPED_TRACE(set.name);
+    const SphericalDiagram diagram = diagramOf(set.sites);
+    for (int k = 0; k < 40; ++k) {
+      const SphericalPoint p = randomPoint(random);
+      const auto farSide = [&](const SphericalCircle& site) {
+        return distanceOf(p, site) + 2 * site.r;
+      };
+      double most = -kInfinity;
+      for (const SphericalCircle& site : set.sites) most = std::max(most, farSide(site));
+      SiteId id = kNoSite;
+      double distance = 0;
+      ASSERT_EQ(diagram.farthest(p.lon, p.lat, id, distance), Error::kNone);
+      EXPECT_NEAR(distance, most, 1e-14);
+      EXPECT_NEAR(farSide(set.sites[id]), most, 1e-14);
+    }
+  }
+}
+
+TEST(SphericalCalls, InterpolationRefusesWhatDoesNotFit) {
+  const SphericalDiagram diagram = threeSites();
+  const double points[] = {0, 0, 1, 1}, noPoints[] = {0, 0, kNaN, 1};
+  const std::vector<double> values(3);
+  std::vector<double> two(2), one(1);
+  EXPECT_EQ(diagram.interpolate(std::vector<double>(2), points, 0, two), Error::kBadLength);
+  EXPECT_EQ(diagram.interpolate(values, points, 0, one), Error::kBadLength);
+  EXPECT_EQ(diagram.interpolate(values, noPoints, 0, two), Error::kNotFinite);
 }
 
 TEST(SphericalNearestFirst, GivesOneSiteAfterAnotherUpToADistance) {

@@ -29,6 +29,16 @@ std::vector<NamedSites> setsOf(Random& random, std::size_t n) {
     pairs.push_back({p.lon, p.lat + std::pow(10, -static_cast<double>(k) - 1), 0});
   }
   sets.push_back({"pairs", pairs});
+  // Also edges as narrow as rounding, seen from their sites.
+  SphericalSites clusters = randomSites(random, 6, 0.2);
+  for (int k = 4; k < 12; k += 2) {
+    const SphericalPoint p = randomPoint(random);
+    const double size = std::pow(10, -k);
+    for (int site = 0; site < 4; ++site)
+      clusters.push_back(
+          {p.lon, p.lat + random.between(0, size), site * random.between(0, size / 99)});
+  }
+  sets.push_back({"clusters", clusters});
   return sets;
 }
 
@@ -156,7 +166,7 @@ TEST(SphericalReach, PolygonsHaveTheAreaAndTheLengthOfTheirCells) {
         const Vector site = vectorAt({set.sites[id].lon, set.sites[id].lat}, 0);
         auto [area, length] =
             ofRing(polygons.coordinates, polygons.starts[ring], polygons.starts[ring + 1], site);
-        if (area < 0) area += 4 * kPi;
+        if (area < -1e-9) area += 4 * kPi;  // less is rounding
         EXPECT_NEAR(area, areas[id], 2e-5) << id;
         EXPECT_NEAR(length, perimeters[id], 1e-4 * perimeters[id] + 1e-5) << id;
       }
@@ -215,6 +225,23 @@ TEST(SphericalReach, NeighboursHaveThePointsOfTheirEdgesInCommon) {
   }
 }
 
+/// The area on the sphere of a cell's polygon with straight lines on the map.
+double areaOnMap(const CoverageArrays& polygons, std::size_t c) {
+  double area = 0;
+  const std::uint32_t first = polygons.parts[polygons.cells[c]];
+  const std::uint32_t last = polygons.parts[polygons.cells[c + 1]];
+  for (std::uint32_t ring = first; ring < last; ++ring) {
+    for (std::uint32_t k = polygons.starts[ring]; k + 1 < polygons.starts[ring + 1]; ++k) {
+      const double* p = &polygons.coordinates[std::size_t{2} * k];
+      const double middle = (p[1] + p[3]) / 2 * kPi / 180;
+      const double half = (p[3] - p[1]) / 2 * kPi / 180;
+      const double height = std::sin(middle) * (half == 0 ? 1 : std::sin(half) / half);
+      area += (p[0] - p[2]) * kPi / 180 * height;
+    }
+  }
+  return area;
+}
+
 TEST(SphericalReach, CutPolygonsAreThoseOfTheCells) {
   Random random(24);
   constexpr double kTolerance = 1e-4;
@@ -226,21 +253,38 @@ TEST(SphericalReach, CutPolygonsAreThoseOfTheCells) {
       const auto [areas, perimeters] = measured(diagram, {distance});
       ASSERT_EQ(diagram.cellPolygons(kTolerance, true, {&distance, 1}, polygons), Error::kNone);
       for (std::size_t c = 0; c < polygons.sites.size(); ++c) {
-        // The area on the sphere below straight lines of the map.
-        double area = 0;
-        const std::uint32_t first = polygons.parts[polygons.cells[c]];
-        const std::uint32_t last = polygons.parts[polygons.cells[c + 1]];
-        for (std::uint32_t ring = first; ring < last; ++ring) {
-          for (std::uint32_t k = polygons.starts[ring]; k + 1 < polygons.starts[ring + 1]; ++k) {
-            const double* p = &polygons.coordinates[std::size_t{2} * k];
-            const double middle = (p[1] + p[3]) / 2 * kPi / 180;
-            const double half = (p[3] - p[1]) / 2 * kPi / 180;
-            const double height = std::sin(middle) * (half == 0 ? 1 : std::sin(half) / half);
-            area += (p[0] - p[2]) * kPi / 180 * height;
-          }
-        }
         const SiteId id = polygons.sites[c];
-        EXPECT_NEAR(area, areas[id], kTolerance * perimeters[id] + 1e-9) << id;
+        EXPECT_NEAR(areaOnMap(polygons, c), areas[id], kTolerance * perimeters[id] + 1e-9) << id;
+      }
+    }
+  }
+}
+
+/// Far from two sites that are close to each other, here some metres of the Earth, their edge goes
+/// straight away from them. On the map that is a curve, of which pieces were missing.
+TEST(SphericalReach, EdgesThatGoStraightAwayFromTheirSitesAreCurvesOfTheMap) {
+  const SphericalSites scenes[] = {
+      {{108.74296331860751, -17.548908974891795, 0.15748555030490086},
+       {-108.78320209851283, -42.366673905805882, 0.04783530017311486},
+       {71.543618108660212, 7.8906486445896409, 0},
+       {71.543618108660212, 7.8910815179810223, 7.5543104172875743e-06}},
+      {{137.02814476546394, 68.703605219987907, 0.076381204778909306},
+       {15.22185612026783, -40.170258837667483, 0.023695202238860437},
+       {-91.5307380796838, -68.037291450300145, 0.13236794639206684},
+       {-135.06982919357793, 37.065396517945366, 0.16223554013383901},
+       {29.435368021512545, 76.939462307539273, 0.065266835440724799},
+       {18.262018290950692, 5.4790244143458446, 0},
+       {18.262018290950692, 5.4790400698426849, 1.3661998294886815e-07}}};
+  for (const SphericalSites& sites : scenes) {
+    const SphericalDiagram diagram = diagramOf(sites);
+    const auto [areas, perimeters] = measured(diagram, {});
+    for (const double tolerance : {1e-2, 1e-3, 1e-4, 1e-5, 1e-6}) {
+      SCOPED_TRACE(tolerance);
+      CoverageArrays polygons;
+      ASSERT_EQ(diagram.cellPolygons(tolerance, true, {}, polygons), Error::kNone);
+      for (std::size_t c = 0; c < polygons.sites.size(); ++c) {
+        const SiteId id = polygons.sites[c];
+        EXPECT_NEAR(areaOnMap(polygons, c), areas[id], tolerance * perimeters[id]) << id;
       }
     }
   }
@@ -269,6 +313,8 @@ TEST(SphericalReach, RefusesWhatIsNoDistance) {
   EXPECT_EQ(diagram.cellPerimeter(2, 1, number), Error::kUnknownSite);
   EXPECT_EQ(diagram.cellAreas(Distances{1, 2, 3}, numbers), Error::kBadLength);
   EXPECT_EQ(diagram.cellPerimeters(Distances{-kEverywhere}, numbers), Error::kOutOfRange);
+  CoverageArrays polygons;
+  EXPECT_EQ(diagram.cellPolygons(0.1, true, Distances{1, 2, 3}, polygons), Error::kBadLength);
   EXPECT_EQ(number, 7);
   EXPECT_EQ(numbers, std::vector<double>{7});
   SphericalPoint centroid = {};

@@ -64,6 +64,7 @@ void expectMovedAndDoneOnce(const std::vector<double>& triples, const Diagram& w
   bool isDone = false;
   Builder first(diagram);
   ASSERT_EQ(first.add(triples), Error::kNone);
+  EXPECT_EQ(first.progress(), 0);
   for (int k = 0; k < 20; ++k) ASSERT_EQ(first.advance(5, isDone), Error::kNone);
   ASSERT_FALSE(isDone);
   Builder second(std::move(first));

@@ -1,0 +1,33 @@
+// A function as an argument, for the time of a call: neither copied nor owned, and no template of
+// the one who is given it. (std::function_ref of C++26.)
+#pragma once
+
+#include <memory>
+#include <type_traits>
+#include <utility>
+
+namespace apollonius::internal {
+
+template <class Signature>
+class FunctionRef;
+
+template <class Result, class... Arguments>
+class FunctionRef<Result(Arguments...)> {
+ public:
+  template <class Function>
+    requires(!std::is_same_v<std::remove_cvref_t<Function>, FunctionRef>)
+  FunctionRef(
+      const Function& function)  // NOLINT(google-explicit-constructor): as lambdas are given
+      : object_(std::addressof(function)), call_([](const void* object, Arguments... arguments) {
+          return (*static_cast<const Function*>(object))(std::forward<Arguments>(arguments)...);
+        }) {}
+  Result operator()(Arguments... arguments) const {
+    return call_(object_, std::forward<Arguments>(arguments)...);
+  }
+
+ private:
+  const void* object_;
+  Result (*call_)(const void*, Arguments...);
+};
+
+}  // namespace apollonius::internal
