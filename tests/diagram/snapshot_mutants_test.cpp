@@ -128,8 +128,7 @@ TEST(SnapshotMutants, LargeTrustedDoNoHarm) {
     const Bytes original = snapshotOf(circles, 30);
     for (int run = 0; run < runs(150); ++run) {
       Random random(static_cast<std::uint64_t>(run) + 300000);
-      Bytes bytes = original;
-      for (std::uint64_t k = random.below(60u); k > 0; --k) bytes = mutant(bytes, random);
+      const Bytes bytes = mutant(original, random, random.below(150u));
       Diagram diagram(random.oneIn(4) ? Location::kPlainHierarchy : Location::kHierarchy);
       if (restored(diagram, bytes, Source::kTrusted) == Error::kNone)
         (void)callEverything(diagram, random.next());

@@ -124,11 +124,12 @@ void expect(bool holds, const char* what) {
 
 }  // namespace
 
-std::vector<std::uint8_t> mutant(const std::vector<std::uint8_t>& snapshot, Random& random) {
+std::vector<std::uint8_t> mutant(const std::vector<std::uint8_t>& snapshot, Random& random,
+                                 std::uint64_t changes) {
   std::vector<std::uint8_t> bytes = snapshot;
   const Layout at(snapshot);
   const std::size_t words = bytes.size() / 4 - 2;
-  for (std::uint64_t changes = 1 + random.below(4u); changes > 0; --changes) {
+  for (; changes > 0; --changes) {
     const std::uint64_t kind = random.below(16u);
     if (kind < 5 && at.slots > 0) {
       changeNumber(bytes, at, random);
@@ -152,6 +153,10 @@ std::vector<std::uint8_t> mutant(const std::vector<std::uint8_t>& snapshot, Rand
     }
   }
   return withChecksum(bytes);
+}
+
+std::vector<std::uint8_t> mutant(const std::vector<std::uint8_t>& snapshot, Random& random) {
+  return mutant(snapshot, random, 1 + random.below(4u));
 }
 
 std::string whatIsWrong(const Diagram& diagram, Random& random) {
