@@ -1,6 +1,12 @@
 // Maps: `voronoi(window, { project })` takes a window in longitude and latitude, and toGeoJSON
 // gives polygons there.
-import { geoAlbers, geoMercator } from "d3-geo";
+import {
+  geoAlbers,
+  geoAzimuthalEquidistant,
+  geoMercator,
+  geoNaturalEarth1,
+  geoStereographic,
+} from "d3-geo";
 import GeoJSONReader from "jsts/org/locationtech/jts/io/GeoJSONReader.js";
 import IsValidOp from "jsts/org/locationtech/jts/operation/valid/IsValidOp.js";
 import { Diagram } from "../../build/packed/consumer.mjs";
@@ -92,6 +98,62 @@ describe.each([
       expect(feature.properties.name).toBe(`p${feature.id}`);
       expect(areaOf(ringsOf(feature)[0])).toBeGreaterThan(0);
       expect(areaOf(ringsOf(turned.features[k])[0])).toBeLessThan(0);
+    }
+  });
+});
+
+// A line through the middle of these maps is an S there: it is right in its own middle.
+describe.each([
+  ["Mercator", geoMercator],
+  ["azimuthal equidistant", geoAzimuthalEquidistant],
+  ["Natural Earth", geoNaturalEarth1],
+  ["stereographic", geoStereographic],
+])("through the middle of a map, %s", (_name, make) => {
+  const project = make().scale(100).translate([0, 0]);
+  const along = (a, b, part) => a.map((number, k) => number * (1 - part) + b[k] * part);
+  const parts = Array.from({ length: 19 }, (_, k) => (k + 1) / 20);
+
+  test("edges keep the tolerance", () => {
+    const diagram = new Diagram([-20, 10, 0, 20, -10, 0]); // their edge is y = 2x
+    const offEdge = ([x, y]) => Math.abs(y - 2 * x) / Math.sqrt(5);
+    const view = diagram.voronoi([-70, -60, 70, 60], { project });
+    for (const tolerance of [1, 0.01]) {
+      let sides = 0;
+      for (const feature of view.toGeoJSON({ tolerance }).features) {
+        const [ring] = ringsOf(feature);
+        for (let k = 1; k < ring.length; ++k) {
+          const ends = [ring[k - 1], ring[k]];
+          if (!ends.every((end) => offEdge(project(end)) < 1e-6)) continue;
+          ++sides;
+          for (const part of parts)
+            expect(offEdge(project(along(...ends, part)))).toBeLessThan(1.5 * tolerance);
+        }
+      }
+      expect(sides).toBeGreaterThan(2);
+    }
+  });
+
+  test("sides of a window are where they are on the map", () => {
+    const [from, to] = [
+      [-60, -50],
+      [60, 50],
+    ];
+    const diagram = new Diagram([...project([40, -40]), 0]);
+    const view = diagram.voronoi([from, [60, -50], to], { project });
+    const [x0, y0] = view.window.bounds;
+    const diagonal = Math.hypot(view.window.bounds[2] - x0, view.window.bounds[3] - y0);
+    // Places beside the side, by a thousandth of the diagonal.
+    for (const part of parts) {
+      const [lon, lat] = along(from, to, part);
+      const [x, y] = project([lon, lat]);
+      const [nextX, nextY] = project(along(from, to, part + 1e-6));
+      const length = Math.hypot(nextX - x, nextY - y);
+      const [nx, ny] = [(nextY - y) / length, (x - nextX) / length].map(
+        (n) => (n * diagonal) / 1e3,
+      );
+      expect(
+        [view.window.contains(x + nx, y + ny), view.window.contains(x - nx, y - ny)].sort(),
+      ).toEqual([false, true]);
     }
   });
 });
