@@ -25,14 +25,14 @@ LonLat borderPoint(const MapPoint& p, const MapPoint& other) {
 }
 
 /// Does a chord between two points that are not on the border cross it? Then `latitude` receives
-/// where: the same bits in both directions.
-bool crossesBorder(const Direction& a, const Direction& b, double& latitude) {
-  if ((a.y < 0) == (b.y < 0)) return false;
-  const Direction &east = a.y < 0 ? b : a, &west = a.y < 0 ? a : b;
+/// where the line on the map does, which is close to the curve: the same bits in both directions.
+bool crossesBorder(const MapPoint& a, const MapPoint& b, double& latitude) {
+  if ((a.point.y < 0) == (b.point.y < 0)) return false;
+  const MapPoint &east = a.point.y < 0 ? b : a, &west = a.point.y < 0 ? a : b;
   // Where y is 0, times the difference of the two y, which is positive.
-  const double x = west.x * east.y - east.x * west.y;
-  if (!(x < 0)) return false;
-  latitude = lonLatOf({x, 0, west.z * east.y - east.z * west.y}).lat;
+  if (!(west.point.x * east.point.y - east.point.x * west.point.y < 0)) return false;
+  const double toEast = 180 - east.at.lon, toWest = 180 + west.at.lon;
+  latitude = (east.at.lat * toWest + west.at.lat * toEast) / (toEast + toWest);
   return true;
 }
 
@@ -142,7 +142,7 @@ void AntimeridianCutter::followChords(std::span<const MapPoint> ring, std::size_
     }
     if (isOnBorder(b)) {
       endArc(borderPoint(to, from));
-    } else if (!isOnBorder(a) && crossesBorder(a, b, latitude)) {
+    } else if (!isOnBorder(a) && crossesBorder(from, to, latitude)) {
       if (k > 0) endArc({a.y < 0 ? -180.0 : 180.0, latitude});
       if (isAgain) return;
       beginArc({b.y < 0 ? -180.0 : 180.0, latitude});
@@ -163,9 +163,9 @@ void AntimeridianCutter::cut(std::span<const MapPoint> ring, FunctionRef<double(
     return;
   }
   for (std::size_t k = 0; k < ring.size(); ++k) {
-    const Direction &a = ring[k].point, &b = ring[(k + 1) % ring.size()].point;
+    const MapPoint &a = ring[k], &b = ring[(k + 1) % ring.size()];
     double latitude = 0;
-    if (!isOnBorder(a) && (isOnBorder(b) || !crossesBorder(a, b, latitude))) continue;
+    if (!isOnBorder(a.point) && (isOnBorder(b.point) || !crossesBorder(a, b, latitude))) continue;
     followChords(ring, k);
     linkArcs(areaOfCell());
     emitArcs(output);

@@ -117,10 +117,18 @@ bool ChainMaker::isFine(const MapPoint& a, const MapPoint& middle, const MapPoin
          line.distance <= std::min(tolerance_ * (180 / std::numbers::pi), kFlat * line.length);
 }
 
+bool ChainMaker::mayTurnBack(const MapPoint& a, const MapPoint& b) const {
+  if (joint_ == Joint::kGreatArc) return false;
+  // Of a great circle that crosses the equator, some 2^-5 of the length's third power.
+  const double length = fromSegment(a, a.at, b).length * (std::numbers::pi / 180);
+  return length * length * length > 16 * tolerance_;
+}
+
 void ChainMaker::subdivide(double width, const MapPoint& first, const MapPoint& last,
                            PointAt pointAt, FitOf fitOf, FlatArray<MapPoint>& points) {
   // Beside a pole, pieces become as short as the distance within which points are moved there.
   constexpr int kDeepest = 45;
+  constexpr double kAside = 19.0 / 64;
   MapPoint a = first;
   const std::size_t outer = ends_.size();
   ends_.push_back(last);
@@ -137,8 +145,13 @@ void ChainMaker::subdivide(double width, const MapPoint& first, const MapPoint& 
     } else if (part * width < std::numbers::pi / 2) {
       if (isShort(a.point, middle.point, b.point)) {
         fit = Fit::kFine;
-      } else if (isFine(a, middle, b)) {
-        fit = fitOf(a, b);
+      } else {
+        const auto isFineAt = [&](double share) {
+          return isFine(a, pointAt(from + share * part), b);
+        };
+        const bool isClose = isFine(a, middle, b) &&
+                             (!mayTurnBack(a, b) || (isFineAt(kAside) && isFineAt(1 - kAside)));
+        if (isClose) fit = fitOf(a, b);
       }
     }
     if (fit == Fit::kCoarse) {
@@ -273,7 +286,7 @@ bool ChainMaker::isOnePiece(VertexId node, VertexId neighbor, const MapPoint& fr
   const double x = x1 * length2 + x2 * length1, y = y1 * length2 + y2 * length1;
   const double length = std::sqrt(x * x + y * y);
   const MapPoint middle = shown(bisector.at(x / length, y / length).point(cap.centre, frame));
-  if (!isFine(from, middle, to)) return false;
+  if (!isFine(from, middle, to) || mayTurnBack(from, to)) return false;
   const Fit fit = fitTowards(bisector, cap.centre, frame, x1 + x2, y1 + y2, from, to);
   return fit == Fit::kFine || (fit == Fit::kRadial && joint_ == Joint::kGreatArc);
 }

@@ -41,6 +41,45 @@ TEST(SphericalPolygons, CutOnesCoverTheRectangleOnce) {
   }
 }
 
+/// An edge that crosses the equator is an S on the map, whose middle says nothing; of a chord that
+/// crosses the antimeridian both parts are as close to the edge as the whole.
+TEST(SphericalPolygons, LinesOfTheMapAreWithinTheToleranceOfEdges) {
+  Random random(14);
+  for (int round = 0; round < sized(60, 2000); ++round) {
+    SCOPED_TRACE(round);
+    const bool isSymmetric = round % 2 == 0;
+    SphericalSites sites = randomSites(random, 2 + random.below(std::size_t{5}), 0.3);
+    if (isSymmetric) {
+      for (std::size_t k = sites.size(); k-- > 0;)
+        sites.push_back({-sites[k].lon, -sites[k].lat, sites[k].r});
+    }
+    const SphericalDiagram diagram = diagramOf(sites);
+    for (const double tolerance : {0.03, 1e-3}) {
+      CoverageArrays polygons;
+      ASSERT_EQ(diagram.cellPolygons(tolerance, true, {}, polygons), Error::kNone);
+      for (std::size_t ring = 0; ring + 1 < polygons.starts.size(); ++ring) {
+        for (std::uint32_t k = polygons.starts[ring]; k + 1 < polygons.starts[ring + 1]; ++k) {
+          const double* p = &polygons.coordinates[std::size_t{2} * k];
+          const auto isOnBorder = [&](std::size_t at, double border) {
+            return std::abs(p[at]) == border && p[at] == p[at + 2];
+          };
+          if (isOnBorder(0, 180) || isOnBorder(1, 90)) continue;
+          for (const double part : {0.15, 0.5, 0.8}) {
+            const SphericalPoint at{p[0] + part * (p[2] - p[0]), p[1] + part * (p[3] - p[1])};
+            std::vector<double> distances;
+            for (const SphericalCircle& site : sites) distances.push_back(distanceOf(at, site));
+            std::ranges::nth_element(distances, distances.begin() + 1);
+            const double nearest = std::min(distances[0], distances[1]);
+            // Twice the way to the edge, or less.
+            ASSERT_LE(std::abs(distances[0] + distances[1] - 2 * nearest), 2.2 * tolerance)
+                << at.lon << ' ' << at.lat;
+          }
+        }
+      }
+    }
+  }
+}
+
 TEST(SphericalPolygons, OfNeedlesThinnerThanTheToleranceAcrossTheAntimeridian) {
   // Such a needle's sides may cross the border in the wrong order, and then its polygon was all but
   // the needle: the sum of areas was twice the rectangle's.
