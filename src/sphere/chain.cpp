@@ -287,8 +287,7 @@ bool ChainMaker::isOnePiece(VertexId node, VertexId neighbor, const MapPoint& fr
   const double length = std::sqrt(x * x + y * y);
   const MapPoint middle = shown(bisector.at(x / length, y / length).point(cap.centre, frame));
   if (!isFine(from, middle, to) || mayTurnBack(from, to)) return false;
-  const Fit fit = fitTowards(bisector, cap.centre, frame, x1 + x2, y1 + y2, from, to);
-  return fit == Fit::kFine || (fit == Fit::kRadial && joint_ == Joint::kGreatArc);
+  return fitTowards(bisector, cap.centre, frame, x1 + x2, y1 + y2, from, to) == Fit::kFine;
 }
 
 std::span<const MapPoint> ChainMaker::innerOf(HalfedgeId h, const MapPoint& first,

@@ -48,6 +48,13 @@ void expectAll(const SphericalSites& sites) {
   EXPECT_NEAR(sum, 4 * std::numbers::pi, 1e-9);
   CoverageArrays polygons;
   EXPECT_EQ(diagram.cellPolygons(0.01, true, {}, polygons), Error::kNone);
+  for (const double distance : {0.01, 0.5, 3.0}) {
+    std::vector<double> cut;
+    ASSERT_EQ(diagram.cellAreas({&distance, 1}, cut), Error::kNone);
+    for (std::size_t k = 0; k < cut.size(); ++k) EXPECT_LE(cut[k], areas[k] + 1e-9) << k;
+    ASSERT_EQ(diagram.cellPolygons(0.01, false, {&distance, 1}, polygons), Error::kNone);
+    EXPECT_LE(polygons.sites.size(), diagram.visibleSize());  // some are smaller than rounding
+  }
 }
 
 class CloseSites : public testing::TestWithParam<int> {};

@@ -124,6 +124,16 @@ TEST(SphericalNaturalNeighbors, InterpolateIsTheSumOfWeightsTimesValues) {
   }
 }
 
+TEST(SphericalNaturalNeighbors, OfTheOnlySiteIsThatSiteAlsoIfItWouldBeCovered) {
+  const SphericalDiagram diagram = diagramOf({{10, 20, 0.1}});
+  for (const double r : {0.0, 1.0}) {
+    NaturalWeights found;
+    ASSERT_EQ(diagram.naturalWeights(12, 20, r, found), Error::kNone);
+    EXPECT_EQ(found.ids, std::vector<SiteId>{0});
+    EXPECT_EQ(found.weights, std::vector<double>{1});
+  }
+}
+
 TEST(SphericalNaturalNeighbors, NoneWithoutSites) {
   const SphericalDiagram diagram;
   NaturalWeights found;
