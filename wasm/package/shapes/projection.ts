@@ -1,8 +1,8 @@
 // Windows and polygons of a map: there by a projection, and back.
 //
-// Straight lines of the plane and of longitude and latitude are different lines. So sides are halved
-// until they are the same up to a tolerance in the plane, the same way in both directions, so that
-// neighbours keep their points in common.
+// Straight lines of the plane and of longitude and latitude are different lines. So sides are
+// halved until they are the same up to a tolerance in the plane, the same way in both directions,
+// so that neighbours keep their points in common.
 import type { CoverageArrays } from "../../../build/wasm/apollonius.mjs";
 import { checkedBounds, described } from "../core/arguments.js";
 import type { Position } from "../core/types.js";
