@@ -223,6 +223,31 @@ TEST(Fit, ReachesTargetsAcrossHolesAndSeas) {
   }
 }
 
+// Few sites on two or three islands: the edge between cells can be in the sea, where moving it
+// changes no area. One of ten such fits ended there.
+TEST(Fit, EdgesInTheSeaBetweenIslandsComeOnLand) {
+  Random random(908);
+  for (int run = 0; run < runs(600); ++run) {
+    SCOPED_TRACE(run);
+    std::vector<double> rings{0,   0,   400,  0,   400,  400,  0,   400,
+                              600, 600, 1000, 600, 1000, 1000, 600, 1000};
+    std::vector<std::uint32_t> starts{0, 4, 8};
+    if (run % 3 == 0) {
+      rings.insert(rings.end(), {0, 700, 300, 700, 300, 1000, 0, 1000});
+      starts.push_back(12);
+    }
+    const Region region = regionOf(rings, starts);
+    const Circles circles = centresIn(region, random, 2 + random.below(std::size_t{4}));
+    std::vector<double> targets;
+    for (std::size_t k = 0; k < circles.size(); ++k)
+      targets.push_back(static_cast<double>(random.integer(1, 9)));
+    Diagram those;
+    insertInto(those, circles);
+    ASSERT_GE(fit(those, region, targets, 1e-7), 0);
+    expectAreas(those, region, targets, 1e-3);
+  }
+}
+
 TEST(Fit, CellsOfSitesOutsideDoNotVanishThere) {
   // (With regularization up to the region's box only, one did, and no step could be taken any
   // more.)

@@ -34,6 +34,8 @@ constexpr double kCoarse = 0.01;
 constexpr double kMedium = 1e-4;
 constexpr double kFine = 1e-7;
 constexpr int kMostHalvings = 30;
+/// What areas that are to be equal differ by, as a share of the whole.
+constexpr double kRounding = 1e-12;
 /// Two units in the last place of a double, as a share of it.
 constexpr double kLastPlaces = powerOfTwo(-51);
 
@@ -124,13 +126,13 @@ std::uint32_t AreaFitter::begin(std::span<const double> targets, std::span<const
     around.ymax = std::max(around.ymax, site.y);
   }
   const double inside = sumOf(best_.areas), all = around.width() * around.height();
-  if (all - inside > kLeastOutside * inside && error() > kNearEnough) {
+  hasAround_ = all - inside > kLeastOutside * inside;
+  if (hasAround_) {
     const double corners[] = {around.xmin, around.ymin, around.xmax, around.ymin,
                               around.xmax, around.ymax, around.xmin, around.ymax};
     const std::uint32_t starts[] = {0, 4};
     around_ = normalizePolygon(corners, starts);
-    measureIn(around_, precision_, best_.around, best_.couplingsAround);
-    setRegularization(kFirstGround * (inside / all));
+    if (error() > kNearEnough) regularize(kFirstGround * (inside / all));
   }
   if (error() < kCoarse) measureExactly();
   return kNone;
@@ -144,6 +146,32 @@ FlatArray<double> AreaFitter::circlesOf(const State& state) const {
       xyr.push_back(number);
   }
   return xyr;
+}
+
+/// The same, where there was none.
+void AreaFitter::regularize(double density) {
+  measureIn(around_, precision_, best_.around, best_.couplingsAround);
+  setRegularization(density);
+}
+
+/// How much area has to go from one to another of the parts of the region that no edge between
+/// cells connects: there the weights could change without any area doing so.
+double AreaFitter::areaApart() const {
+  const std::size_t count = sites_.size();
+  FlatArray<std::uint32_t> parts(count);
+  for (std::uint32_t k = 0; k < count; ++k) parts[k] = k;
+  const auto partOf = [&](std::uint32_t k) {
+    while (parts[k] != k) k = parts[k] = parts[parts[k]];
+    return k;
+  };
+  for (const Coupling& c : best_.couplings) parts[partOf(c.i)] = partOf(c.j);
+  const double whole = sumOf(best_.inside);
+  FlatArray<double> missing(count, 0);
+  for (std::uint32_t k = 0; k < count; ++k)
+    missing[partOf(k)] += whole * shares_[k] - best_.inside[k];
+  double most = 0;
+  for (const double area : missing) most = std::max(most, absolute(area));
+  return most > kRounding * whole ? most : 0;
 }
 
 /// From now on with regularization of this density.
@@ -235,11 +263,15 @@ double AreaFitter::slopeAt(const State& state) const {
 
 bool AreaFitter::step() {
   if (sites_.empty()) return false;
+  const double all = around_.box.width() * around_.box.height();
+  const double apart = hasAround_ ? areaApart() : 0;
+  // All that is around counts less than what has to go to another part: so the edge between goes
+  // through the gap.
+  if (apart > 0 && regularization_ == 0) regularize(kNextGround * apart / all);
   double far = deviationOf(best_.areas);
-  for (; regularization_ > 0 && far < kNearEnough; far = deviationOf(best_.areas)) {
+  for (; regularization_ > 0 && far < kNearEnough && apart == 0; far = deviationOf(best_.areas)) {
     const double less = kNextGround * regularization_;
-    const double area = less * around_.box.width() * around_.box.height();
-    setRegularization(area < kLeastGround * smallestOf(targets_) ? 0 : less);
+    setRegularization(less * all < kLeastGround * smallestOf(targets_) ? 0 : less);
   }
   // Where steps have become short, none must be wrong about a small cell.
   findDirection(far < kCoarse ? kFine : last_ < 0.25 ? kMedium : kCoarse);

@@ -16,7 +16,8 @@
 //     "Convergence of a Newton algorithm for semi-discrete optimal transport", 2019.)
 //   - Around a region and in its holes cells vanish, and covers come from across. So the box of the
 //     region and all sites counts too at first, a little: *regularization*, of which less and less
-//     is left as areas come near their targets, and none at the end.
+//     is left as areas come near their targets, and none at the end. Where an edge is in the sea
+//     between islands, it counts again until the edge is on land.
 //
 // Equations are solved by preconditioned conjugate gradients (solve()). All of it
 // happens in a diagram of its own, so that the one in question is as it was until it is done.
@@ -83,6 +84,8 @@ class AreaFitter {
   void measureExactly();
   void takeTried() noexcept;
   void setRegularization(double density);
+  void regularize(double density);
+  [[nodiscard]] double areaApart() const;
   void findDirection(double tolerance);
   [[nodiscard]] bool tryStep(double share);
   [[nodiscard]] double longestShare() const;
@@ -94,6 +97,7 @@ class AreaFitter {
 
   const NormalizedPolygon& polygon_;
   NormalizedPolygon around_;  // region and sites
+  bool hasAround_ = false;    // is it larger than the region?
   DiagramCore core_;          // its ids are indices
   FlatArray<SiteId> ids_;
   FlatArray<Site> sites_;

@@ -110,7 +110,7 @@ const whenReady = (name) => window[name] !== undefined;
  */
 async function becomeReady(page, ready) {
   try {
-    await page.waitForFunction(whenReady, ready, { polling: 100 });
+    await page.waitForFunction(whenReady, ready, { polling: 20 });
   } catch (cause) {
     const state = () => [location.href, document.readyState, document.visibilityState];
     const seen = await Promise.race([page.evaluate(state), timeout(5_000, ["no answer"])]);
