@@ -265,6 +265,22 @@ test("padding: children keep that distance from their parent's border, and fill 
   expect(inside / (894 * 494)).toBeCloseTo(1, 9);
 });
 
+// Of a height that padding takes away in steps, rounding leaves 10^-16: no room for cells.
+test("padding that leaves nothing but rounding is halved, too", () => {
+  const values = [107, 1.2, 1.03, 2.9, 34, 4.4];
+  for (const [height, padding] of [
+    [10, 2.5],
+    [0.3, 0.05],
+    [0.7, 0.7 / 6],
+    [1.1, 0.55],
+    [0.6, 0.1],
+  ]) {
+    const chain = { children: [{ children: [{ children: values.map((size) => ({ size })) }] }] };
+    const root = treemap().shape([0, 0, 1000, height]).padding(padding)(rootOf(chain));
+    for (const leaf of root.leaves()) expect(leaf.area).toBeGreaterThan(0);
+  }
+});
+
 test("padding that a cell has no room for is halved until it has; holes grow", () => {
   const root = treemap().shape(box).padding(400)(rootOf(flat([1, 2])));
   const sum = root.children.reduce((all, { area }) => all + area, 0);

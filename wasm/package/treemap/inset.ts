@@ -4,6 +4,8 @@ import type { Rings } from "./outline.js";
 import { momentsOf } from "./rings.js";
 
 const kMostHalvings = 40;
+/** Of the whole: less is what rounding leaves of nothing. */
+const kLeast = 2 ** -30;
 
 /** Strips of this width, or of half of it, or a quarter, …, where the rest would not be whole. */
 export function inset(rings: Rings, width: number): Rings {
@@ -13,7 +15,8 @@ export function inset(rings: Rings, width: number): Rings {
     const rest = rings.map((ring) => insetRing(ring, width));
     if (rest.some((ring) => ring === null)) continue;
     const area = momentsOf(rest as Rings).area;
-    const isWhole = area > 0 && area < whole && !hasCrossings([...rings, ...(rest as Rings)]);
+    const isWhole =
+      area > kLeast * whole && area < whole && !hasCrossings([...rings, ...(rest as Rings)]);
     if (isWhole) return rest as Rings;
   }
   return rings;
