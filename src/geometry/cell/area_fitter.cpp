@@ -34,7 +34,7 @@ constexpr double kCoarse = 0.01;
 constexpr double kMedium = 1e-4;
 constexpr double kFine = 1e-7;
 constexpr int kMostHalvings = 30;
-/// What areas that are to be equal differ by, as a share of the whole.
+/// Sums of areas that should be equal differ by less than this share of the whole.
 constexpr double kRounding = 1e-12;
 /// Two units in the last place of a double, as a share of it.
 constexpr double kLastPlaces = powerOfTwo(-51);
@@ -148,14 +148,8 @@ FlatArray<double> AreaFitter::circlesOf(const State& state) const {
   return xyr;
 }
 
-/// The same, where there was none.
-void AreaFitter::regularize(double density) {
-  measureIn(around_, precision_, best_.around, best_.couplingsAround);
-  setRegularization(density);
-}
-
-/// How much area has to go from one to another of the parts of the region that no edge between
-/// cells connects: there the weights could change without any area doing so.
+/// How much area has to go from one part of the region to another where no edge between cells
+/// connects the parts: weights can change there without any area doing so.
 double AreaFitter::areaApart() const {
   const std::size_t count = sites_.size();
   FlatArray<std::uint32_t> parts(count);
@@ -180,6 +174,13 @@ void AreaFitter::setRegularization(double density) {
   sumUp(best_);
   targets_ = shares_;
   scaleTo(targets_, sumOf(best_.areas));
+}
+
+/// The same, where there was none. The diagram has the best weights: a step that fails, and leaves
+/// others, has been here before if it had to.
+void AreaFitter::regularize(double density) {
+  measureIn(around_, precision_, best_.around, best_.couplingsAround);
+  setRegularization(density);
 }
 
 /// The best weights, and all that are tried from now on.
