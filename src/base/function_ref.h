@@ -1,5 +1,5 @@
-// A function as an argument, for the time of a call: neither copied nor owned, and no template of
-// the one who is given it. (std::function_ref of C++26.)
+// A function as an argument, for the time of a call: neither copied nor owned, and whoever takes it
+// need not be a template. (std::function_ref of C++26.)
 #pragma once
 
 #include <memory>

@@ -128,7 +128,7 @@ void ChainMaker::subdivide(double width, const MapPoint& first, const MapPoint& 
                            PointAt pointAt, FitOf fitOf, FlatArray<MapPoint>& points) {
   // Beside a pole, pieces become as short as the distance within which points are moved there.
   constexpr int kDeepest = 45;
-  constexpr double kAside = 19.0 / 64;
+  constexpr double kAside = 19.0 / 64;  // of a piece: where an S is off it, and its middle is not
   MapPoint a = first;
   const std::size_t outer = ends_.size();
   ends_.push_back(last);
