@@ -7,6 +7,7 @@
 #include "api/spherical_checks.h"
 #include "number/fp.h"
 #include "number/invariant.h"
+#include "sphere/empty_circles.h"
 #include "sphere/listing.h"
 #include "sphere/nearby.h"
 #include "sphere/nearest.h"
@@ -208,6 +209,11 @@ Error SphericalDiagram::neighbors(SiteId id, std::vector<SiteId>& neighbors) con
 
 Error SphericalDiagram::vertices(VertexArrays& vertices) const {
   return guarded(*core_, [&] { listVertices(core_->projected(), radius(), vertices); });
+}
+
+Error SphericalDiagram::emptyCircles(std::size_t most, VertexArrays& circles) const {
+  return guarded(*core_,
+                 [&] { listEmptyCircles(core_->projected(), core_->sites(), most, circles); });
 }
 
 Error SphericalDiagram::edges(EdgeArrays& edges) const {

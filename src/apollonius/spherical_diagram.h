@@ -132,6 +132,11 @@ class APOLLONIUS_EXPORT SphericalDiagram {
   /// All Voronoi vertices: longitude and latitude, the distance to their three sites. Replaces the
   /// contents. Errors: kOutOfMemory. Cost: O(h)
   [[nodiscard]] Error vertices(VertexArrays& vertices) const;
+  /// The `most` largest circles that no site reaches into, the largest first, none of which has its
+  /// centre in one before it: longitude and latitude, the distance to the nearest site (below 0
+  /// where the whole sphere is covered), and that one site a row. Replaces the contents. Errors:
+  /// kOutOfMemory. Cost: O(h (log n + most))
+  [[nodiscard]] Error emptyCircles(std::size_t most, VertexArrays& circles) const;
   /// All Voronoi edges, between rows of vertices(); -1 for the closed edge of two sites. Replaces
   /// the contents. Errors: kOutOfMemory. Cost: O(h)
   [[nodiscard]] Error edges(EdgeArrays& edges) const;

@@ -359,7 +359,9 @@ void interpolate(const DiagramCore& core, NaturalNeighbors& neighbors,
   if (core.visibleCount() == 0) return std::fill(results.begin(), results.end(), kNoValue);
   visitPoints(core, xy, [&](std::size_t k, Slot hint) {
     const double x = xy[2 * k], y = xy[2 * k + 1];
-    const Slot start = hint == kNoSlot ? core.nearest(x, y) : hint;
+    // Always from the nearest site, so that what is found has the same order, and its sum the same
+    // bits, whichever point comes before.
+    const Slot start = core.nearest(x, y, hint);
     const auto shares = neighbors.find(normalized({x, y, r}), vertexOf(start), Centers::kInWindow);
     if (shares.empty()) {
       results[k] = kNoValue;

@@ -1,5 +1,5 @@
 // One history with all outputs of the package, as one hash: the same script in Node and in
-// browsers.
+// browsers. Every call of every class is in it (determinism.test.mjs).
 
 /** Bytes of all kinds of values, one behind the other; numbers with all their bits. */
 class Bytes {
@@ -54,7 +54,8 @@ const families = {
   huge: (u) => [u() * 1e60, u() * 1e60, u() * 1e58],
 };
 
-export async function hashOfAllOutputs({ Diagram, curvePoint, curveTangent }) {
+export async function hashOfAllOutputs(code) {
+  const { Diagram, curvePoint, curveTangent } = code;
   const bytes = new Bytes();
   for (const [name, circle] of Object.entries(families)) {
     const random = generator(4711);
@@ -85,9 +86,158 @@ export async function hashOfAllOutputs({ Diagram, curvePoint, curveTangent }) {
     bytes.add(Diagram.fromBytes(snapshot).toBytes());
     bytes.add(String(diagram.validate()));
     bytes.add(await fitted(Diagram.fromBytes(snapshot)));
+    if (name === "random" || name === "grid") await addWindows(diagram, bytes, random);
+    diagram.clear();
+    bytes.add([String(diagram), diagram.size]);
     diagram.dispose();
   }
+  await addSphere(code, bytes);
+  bytes.add(
+    code.enclose([
+      { x: 1, y: 2, r: 3 },
+      { x: 40, y: -7, r: 1 },
+      { x: 9, y: 30, r: 2 },
+    ]),
+  );
+  addTreemap(code, bytes);
   return bytes.hash();
+}
+
+/** Whatever a call says, its error's code too. */
+function answered(call) {
+  try {
+    return call();
+  } catch ({ code }) {
+    return code;
+  }
+}
+
+/** What needs no more than one scene of a kind: places, shapes, values, in windows of all kinds. */
+async function addWindows(diagram, bytes, random) {
+  const [xs, ys] = ["x", "y"].map((key) => Array.from(diagram, (site) => site[key]));
+  const [xmin, xmax, ymin, ymax] = [xs, ys].flatMap((all) => [Math.min(...all), Math.max(...all)]);
+  const at = (u, v) => [xmin + u * (xmax - xmin), ymin + v * (ymax - ymin)];
+  const points = Array.from({ length: 400 }, () => at(random(), random())).flat();
+  const values = Float64Array.from({ length: Math.max(...diagram.ids()) + 1 }, () => random());
+  bytes.add([diagram.toJSON(), diagram.levels(), diagram.triangulation(), diagram.has(3)]);
+  bytes.add([diagram.pickMany(points), diagram.withinMany(points, 2, { distances: true })]);
+  const ring = (...places) => places.map(([u, v]) => at(u, v));
+  const outer = ring([0.1, 0.05], [0.9, 0.1], [0.7, 0.5], [0.95, 0.9], [0.2, 0.8]);
+  const hole = ring([0.4, 0.3], [0.45, 0.6], [0.6, 0.4]);
+  const bend = (x) => (x * x) / (8 * (xmax - xmin));
+  const project = ([x, y]) => [x, y + bend(x)];
+  project.invert = ([x, y]) => [x, y - bend(x)];
+  const reach = (xmax - xmin) / 40;
+  for (const view of [
+    diagram.voronoi([...at(-0.1, -0.1), ...at(1.1, 1.2)]),
+    diagram.voronoi([outer, hole]),
+    diagram.voronoi([outer, hole], { distance: reach }),
+    diagram.voronoi([outer, hole], { project }),
+  ]) {
+    const ids = diagram.ids().subarray(0, 40);
+    bytes.add([
+      view.toGeoJSON(),
+      view.edgeCurves(),
+      view.cellCentroids(),
+      view.cellPerimeters(),
+      view.cellAreas(),
+      Array.from({ length: 10 }, (_, k) =>
+        answered(() => view.naturalWeights(points[2 * k], points[2 * k + 1], k)),
+      ),
+      view.interpolate(values, points),
+      await view.interpolateAsync(values, points, { r: 1 }),
+      answered(() => view.largestEmptyCircle()),
+      answered(() => view.largestEmptyCircle({ inside: true })),
+      answered(() => view.emptyCircles(7)),
+      answered(() => view.emptyCircles(7, { inside: true })),
+      answered(() => view.cellCircles()),
+      Array.from(ids, (id) => answered(() => view.cellCircle(id, { aspect: 3 }))),
+      Array.from(ids, (id) => view.renderCell(id)),
+      view.renderCells(null, { digits: 3 }),
+      view.window.area,
+      view.window.centroid,
+    ]);
+    view.dispose();
+  }
+  const copy = diagram.constructor.fromBytes(diagram.toBytes());
+  const targets = new Map(Array.from(copy.ids(), (id) => [id, 1 + (id % 3)]));
+  bytes.add(answered(() => copy.voronoi([outer]).fitAreas(targets)));
+  copy.dispose();
+}
+
+async function addSphere({ SphericalDiagram }, bytes) {
+  const random = generator(1234);
+  const somewhere = () => [360 * random() - 180, 170 * random() - 85];
+  const sites = (n) => Array.from({ length: n }, () => [...somewhere(), 300 * random()]).flat();
+  const globe = new SphericalDiagram(sites(150), { radius: 6371 });
+  globe.insert(12, 34, 5);
+  globe.insertMany([0, 90, 0, 180, 0, 7, 12, 34, 5]);
+  globe.update(3, 11, 33, 2);
+  globe.updateMany([4, 5], [10, 20, 3, -10, 20, 3]);
+  globe.remove(9);
+  globe.removeMany([7, 8]);
+  const ids = globe.ids();
+  const points = Array.from({ length: 200 }, somewhere).flat();
+  const distances = new Float64Array(200);
+  const values = Float64Array.from({ length: Math.max(...ids) + 1 }, () => random());
+  bytes.add([
+    [globe.radius, globe.size, globe.visibleSize, globe.hiddenSize, String(globe), globe.has(3)],
+    [globe.sites(), globe.toJSON(), globe.vertices(), globe.edges(), globe.validate()],
+    [globe.findMany(points, distances), distances, globe.pickMany(points)],
+    [globe.kNearestMany(points, 4, { distances: true }), globe.withinMany(points, 900)],
+    [globe.largestEmptyCircle(), globe.emptyCircles(12), globe.interpolate(values, points)],
+    globe.toBytes(),
+  ]);
+  for (let k = 0; k < 30; ++k) {
+    const place = somewhere();
+    bytes.add([
+      [globe.find(...place), globe.nearest(...place), globe.farthest(...place)],
+      [globe.kNearest(...place, 5), globe.within(...place, 2000), globe.pick(...place)],
+      globe.naturalWeights(...place, 10 * k),
+    ]);
+  }
+  for (const distance of [Infinity, 400]) {
+    bytes.add([globe.cellAreas({ distance }), globe.cellPerimeters({ distance })]);
+    bytes.add([globe.toGeoJSON({ distance }), [...globe.cellPolygons({ distance })]]);
+    bytes.add(globe.toGeoJSON({ distance, antimeridian: "keep", tolerance: 1e-3 }));
+    for (const id of ids.subarray(0, 40))
+      bytes.add([
+        [globe.site(id), globe.isHidden(id), globe.coverOf(id), globe.neighbors(id)],
+        [globe.cellArea(id, { distance }), globe.cellPerimeter(id, { distance })],
+        [globe.cellCentroid(id, { distance }), globe.cellPolygon(id, { distance })],
+        globe.contains(id, ...somewhere(), { distance }),
+      ]);
+  }
+  for (const few of [
+    [5, 6, 0.7],
+    [5, 6, 0.7, -100, 60, 0.3],
+  ])
+    bytes.add(new SphericalDiagram(few).emptyCircles(5));
+  globe.clear();
+  globe.dispose();
+}
+
+function addTreemap({ treemap }, bytes) {
+  const group = (data, children) => ({
+    data,
+    value: children.reduce((sum, { value }) => sum + value, 0),
+    children,
+  });
+  const leaves = (length) =>
+    Array.from({ length }, (_, data) => ({ data, value: 1 + ((data * 7 + length) % 11) }));
+  const root = group(
+    "all",
+    [3, 5, 8, 2].map((length) => group(length, leaves(length))),
+  );
+  for (const shape of [[0, 0, 300, 200], { x: 5, y: 5, r: 90 }]) {
+    const laid = treemap().shape(shape).padding(2)(structuredClone(root));
+    const visit = (node) => {
+      const { area, centroid, polygon, label, circle, fit } = node;
+      bytes.add([area, centroid, polygon, label, circle, fit, node.render?.(null)]);
+      for (const child of node.children ?? []) visit(child);
+    };
+    visit(laid);
+  }
 }
 
 /** The weights found, and areas with them; or the code of why there are none. */

@@ -44,6 +44,11 @@ export function curveTangent(
   return [u / length, v / length];
 }
 
+/** Not Math.hypot: every engine rounds it in its own way. */
+export function length(x: number, y: number): number {
+  return Math.sqrt(x * x + y * y);
+}
+
 /** A curve cut in the middle of its arc: (x, y), towards which a and b are the control points. */
 export interface Halves {
   ax: number;

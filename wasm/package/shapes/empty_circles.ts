@@ -10,7 +10,7 @@
 // it is looked for (widest_place.ts), cell by cell, those with the farthest candidates first, and
 // only until enough circles are found.
 import type { NativeShapes } from "../core/native/module.js";
-import { kOfCurve } from "./curves.js";
+import { kOfCurve, length } from "./curves.js";
 import { drawBounds, type NativeWindow, pathOfSides } from "./drawing.js";
 import { boxOf } from "./inner_circle.js";
 import type { EmptyCircle } from "./types.js";
@@ -29,7 +29,7 @@ export function emptyCircles(
   const circles = inside
     ? innerCandidates(native, window)
     : candidatesOf(native, window).circles.sort(inOrder);
-  return apart(circles, most, (a, b) => Math.hypot(a.x - b.x, a.y - b.y));
+  return apart(circles, most);
 }
 
 /** The largest first. */
@@ -115,16 +115,12 @@ function borderOf(native: NativeShapes, window: NativeWindow): Obstacles {
 }
 
 /** The first `most` circles, none of which has its centre in one before it, or where that has. */
-export function apart<Circle extends { r: number }>(
-  circles: Iterable<Circle>,
-  most: number,
-  distance: (a: Circle, b: Circle) => number,
-): Circle[] {
-  const chosen: Circle[] = [];
+function apart(circles: Iterable<EmptyCircle>, most: number): EmptyCircle[] {
+  const chosen: EmptyCircle[] = [];
   for (const circle of circles) {
     if (chosen.length >= most) break;
-    const isApart = (one: Circle) => {
-      const away = distance(one, circle);
+    const isApart = (one: EmptyCircle) => {
+      const away = length(one.x - circle.x, one.y - circle.y);
       return !(away < one.r || away === 0);
     };
     if (chosen.every(isApart)) chosen.push(circle);

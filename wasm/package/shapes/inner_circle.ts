@@ -2,9 +2,9 @@
 // holes. (Cartographers call its centre the pole of inaccessibility.)
 import { checkNumber, checkOptions } from "../core/arguments.js";
 import { ApolloniusError } from "../errors.js";
-import { halved, kOfCurve, sevenOf } from "./curves.js";
+import { halved, kOfCurve, length, sevenOf } from "./curves.js";
 import type { CellCircleOptions } from "./types.js";
-import { type Box, kGrain, length, Obstacles, type Place, widestPlace } from "./widest_place.js";
+import { type Box, kGrain, Obstacles, type Place, widestPlace } from "./widest_place.js";
 
 const kMostAspect = 1000;
 

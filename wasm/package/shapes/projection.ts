@@ -7,6 +7,7 @@ import type { CoverageArrays } from "../../../build/wasm/apollonius.mjs";
 import { checkedBounds, described } from "../core/arguments.js";
 import type { Position } from "../core/types.js";
 import { ApolloniusError } from "../errors.js";
+import { length } from "./curves.js";
 import { checkedRings, type FlatRings, isRegion, readOnce } from "./region.js";
 import type { Projection } from "./types.js";
 
@@ -96,7 +97,7 @@ const between = (a: Position, b: Position, part: number): Position => [
   a[0] * (1 - part) + b[0] * part,
   a[1] * (1 - part) + b[1] * part,
 ];
-const distance = (a: Position, b: Position) => Math.hypot(a[0] - b[0], a[1] - b[1]);
+const distance = (a: Position, b: Position) => length(a[0] - b[0], a[1] - b[1]);
 const positionAt = (xy: ArrayLike<number>, k: number): Position => [xy[2 * k]!, xy[2 * k + 1]!];
 
 /**
@@ -145,7 +146,7 @@ function diagonalOf(xy: Float64Array, map: (position: Position) => Position): nu
     ymin = Math.min(ymin, y);
     ymax = Math.max(ymax, y);
   }
-  return Math.hypot(xmax - xmin, ymax - ymin);
+  return length(xmax - xmin, ymax - ymin);
 }
 
 /** Twice the area of a closed ring. */

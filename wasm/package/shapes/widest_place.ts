@@ -15,6 +15,7 @@
 // a thin part of the domain may be as long as its segments, however thin it is.
 
 import { ApolloniusError } from "../errors.js";
+import { length } from "./curves.js";
 
 /** Obstacles by number. */
 export class Obstacles {
@@ -344,11 +345,6 @@ class Search {
 
 export function nearestOf(feet: Foot[]): Foot {
   return feet.reduce((one, other) => (other.distance < one.distance ? other : one));
-}
-
-/** Not Math.hypot: every engine rounds it in its own way. */
-export function length(x: number, y: number): number {
-  return Math.sqrt(x * x + y * y);
 }
 
 function mostAtCorners({ x, y, width, height }: Part, at: (x: number, y: number) => number) {

@@ -45,7 +45,6 @@ import type {
   NaturalWeights,
   NumbersById,
 } from "../shapes/types.js";
-import { emptyCircles } from "./empty_circles.js";
 import { interpolate } from "./interpolation.js";
 import {
   checkedAngularTolerance,
@@ -398,7 +397,13 @@ export class SphericalDiagram extends DynamicDiagram<ListedSphericalSite> {
    */
   emptyCircles(count: number): SphericalEmptyCircle[] {
     const { native } = sphericalOf(this);
-    return emptyCircles(native, checkedCount("count", count));
+    const { coordinates, clearance, sites } = native.emptyCircles(checkedCount("count", count));
+    return Array.from(clearance, (r, k) => ({
+      lon: coordinates[2 * k]!,
+      lat: coordinates[2 * k + 1]!,
+      r,
+      site: sites[k]!,
+    }));
   }
 
   // --- Interpolation -----------------------------------------------------------------------------
