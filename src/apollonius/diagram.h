@@ -7,7 +7,8 @@
 //
 // Algorithm: Karavelas and Yvinec, "Dynamic Additively Weighted Voronoi Diagrams in 2D" (the paper
 // below); predicates and the canonical rule for degenerate input: docs/PREDICATES.md. Units:
-// whatever the coordinates are in; y points up; "counter-clockwise" assumes that. Costs: h =
+// whatever the coordinates are in; y points up; "counter-clockwise" assumes that. Of identical
+// circles the one with the least id is visible, whatever the history. Costs: h =
 // number of visible sites, d = number of neighbours of the site in question.
 //
 // Errors: no call throws, except the constructor (std::bad_alloc). A call that fails returns its
@@ -152,8 +153,8 @@ class APOLLONIUS_EXPORT Diagram {
                                std::span<double> distances) const;
 
   /// The k nearest sites of a point, hidden ones too, nearest first, of those at a distance of at
-  /// most `farthest` (negative: that deep inside; infinity: all); ties as in find (identical
-  /// circles in any order). All sites if there are fewer. Exact, boundary included. Replaces the
+  /// most `farthest` (negative: that deep inside; infinity: all); ties as in find, identical
+  /// circles ascending by id. All sites if there are fewer. Exact, boundary included. Replaces the
   /// contents. Errors: as find. Cost: one location and O(m log m), m = the neighbours of the sites
   /// found.
   [[nodiscard]] Error kNearest(double x, double y, std::size_t k, double farthest,
@@ -222,9 +223,9 @@ class APOLLONIUS_EXPORT Diagram {
       EdgeArrays& edges) const;  ///< Replaces the contents. Errors: kOutOfMemory. Cost: O(h)
 
   /// The faces of the Delaunay graph, three sites each, counter-clockwise, kNoSite for infinity:
-  /// the topology itself. Those without infinity are the rows of vertices(). A function of the set
-  /// of sites, up to the order of the faces and which of several identical sites is visible.
-  /// Replaces the contents. Errors: kOutOfMemory. Cost: O(h)
+  /// the topology itself. Those without infinity are the rows of vertices(). A function of the
+  /// sites and their ids, up to the order of the faces. Replaces the contents. Errors:
+  /// kOutOfMemory. Cost: O(h)
   [[nodiscard]] Error faces(std::vector<SiteId>& sites) const;
 
   /// The sites that the convex hull of the circles touches, counter-clockwise; one can occur

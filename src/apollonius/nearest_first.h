@@ -27,7 +27,7 @@ class APOLLONIUS_EXPORT NearestFirst {
   [[nodiscard]] Error start(double x, double y,
                             double farthest = std::numeric_limits<double>::infinity());
 
-  /// The next site; ties as in Diagram::find, identical circles in any order. kNoSite after the
+  /// The next site; ties as in Diagram::find, identical circles ascending by id. kNoSite after the
   /// last. Errors: kOutOfMemory; the walk ends with it. Cost: for m sites together O(m log m) with
   /// their neighbours.
   [[nodiscard]] Error next(SiteId& id);

@@ -55,8 +55,8 @@ enum class Location : std::uint8_t {
 };
 
 /// Which of several circles that contain a point is on top: the one with the smallest radius (of
-/// equal ones the last), as where large circles are drawn first; or the last, with the largest id,
-/// as where all are drawn in the order of their ids.
+/// equal ones the nearest, as find has it), as where large circles are drawn first; or the last,
+/// with the largest id, as where all are drawn in the order of their ids.
 enum class Top : std::uint8_t { kSmallest, kLast };
 
 /// All sites, hidden ones too; row k of each array belongs to the k-th of them, ascending by id.

@@ -107,9 +107,12 @@ class DelaunayGraph {
   /// there from `start`, or from some visible vertex if that is not one: starts are hints, kept by
   /// others (diagram/location_index.h). Paper, section 3. REQUIRES: v is not visible.
   [[nodiscard]] Insertion prepareInsertion(VertexId v, VertexId start, Walk walk = Walk::kSectors);
+  /// Prepares instead that the site of v takes the place of an identical one, which is the cover
+  /// that prepareInsertion() has found. Cost: the degree.
+  [[nodiscard]] Insertion prepareReplacing(VertexId v, VertexId twin);
   /// Inserts it. Returns the vertices that are visible no more, as the site covers them; valid
-  /// until the next change. REQUIRES: prepareInsertion() of v was the last call, and found no
-  /// cover.
+  /// until the next change. REQUIRES: prepareReplacing() of v was the last call, or
+  /// prepareInsertion(), which found no cover.
   std::span<const VertexId> insertPrepared(VertexId v) noexcept;
   /// Both, for who has nothing to do in between.
   void insert(VertexId v, VertexId start, Walk walk = Walk::kSectors) {
@@ -192,8 +195,8 @@ class DelaunayGraph {
   VertexId recent_ = kNoVertex;  // visible; the only one if visibleCount_ is 1
 
   /// How the prepared site enters: as the only one, beside another, in the hole of its conflict
-  /// region, or in the place of all.
-  enum class Entry : unsigned char { kAlone, kBesideOne, kInHole, kCoveringAll };
+  /// region, in the place of all, or in that of an identical one.
+  enum class Entry : unsigned char { kAlone, kBesideOne, kInHole, kCoveringAll, kReplacing };
   Entry entry_ = Entry::kAlone;
   ConflictSearch conflicts_;
   CircleFan fan_;

@@ -71,6 +71,15 @@ DelaunayGraph::Insertion DelaunayGraph::prepareCoveringAll(VertexId v) {
   return {kNoVertex, 0, covered_.size(), 2 * covered_.size()};
 }
 
+DelaunayGraph::Insertion DelaunayGraph::prepareReplacing(VertexId v, VertexId twin) {
+  if (visibleCount_ == 1) return prepareCoveringAll(v);
+  entry_ = Entry::kReplacing;
+  covered_.assign(1, twin);
+  std::size_t degree = 0;
+  for ([[maybe_unused]] const HalfedgeId h : graph_.star(twin)) ++degree;
+  return {kNoVertex, degree, 1, degree};
+}
+
 std::span<const VertexId> DelaunayGraph::insertPrepared(VertexId v) noexcept {
   std::span<const VertexId> covered;
   switch (entry_) {
@@ -94,6 +103,10 @@ std::span<const VertexId> DelaunayGraph::insertPrepared(VertexId v) noexcept {
       covered = covered_;
       graph_.clear();
       visibleCount_ = 1;
+      break;
+    case Entry::kReplacing:
+      covered = covered_;
+      graph_.replaceVertex(covered_[0], v);
       break;
   }
   recent_ = v;

@@ -12,7 +12,7 @@ Undo DiagramCore::beginBulk(std::span<SiteId> ids) {
   if (isBulk) index_.reserveBulk(slots);
   // From here on nothing throws. A diagram that is empty is emptied again, not undone by steps.
   const Undo undo = ids_.size() > 0 ? Undo::kMaybe : Undo::kNever;
-  for (SiteId& id : ids) id = ids_.takeId();
+  for (SiteId& id : ids) id = ids_.takeId(id);
   if (isBulk) index_.beginBulk();
   return undo;
 }

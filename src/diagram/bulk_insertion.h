@@ -39,8 +39,8 @@ class BulkInsertion {
   /// of a site. Are all staged?
   bool stage(std::span<const double> xyr, std::size_t most = kAllAtOnce);
 
-  /// Inserts at most this many of what has been staged; ids[k] becomes the id of circle k. Is that
-  /// all? `ids` are the same in all steps.
+  /// Inserts at most this many of what has been staged; ids[k] becomes the id of circle k, or gives
+  /// it. Is that all? `ids` are the same in all steps.
   bool insert(std::span<SiteId> ids, std::size_t most = kAllAtOnce);
 
   /// Of all that there is to do, 0 to 1, as far as time can be foreseen.
@@ -69,7 +69,7 @@ class BulkInsertion {
   Undo undo_ = Undo::kNever;
 };
 
-/// Inserts all of at least one x, y, r triple; ids[k] becomes the id of triple k.
+/// Inserts all of at least one x, y, r triple; ids[k] becomes the id of triple k, or gives it.
 inline void insertAll(DiagramCore& diagram, std::span<const double> xyr, std::span<SiteId> ids) {
   BulkInsertion insertion(diagram);
   insertion.stage(xyr);

@@ -4,6 +4,7 @@
 #include <new>
 
 #include "base/flat_array.h"
+#include "base/function_ref.h"
 #include "base/radix_sort.h"
 #include "diagram/spatial_order.h"
 #include "number/invariant.h"
@@ -13,12 +14,10 @@ namespace apollonius::internal {
 
 namespace {
 
-/// Of slots.
-struct Covers {
-  const DelaunayGraph& graph;
-  bool operator()(Slot a, Slot b) const {
-    return covers(graph.site(vertexOf(a)), graph.site(vertexOf(b)));
-  }
+/// May the second one hang on the first?
+struct MayHang {
+  const DiagramCore& core;
+  bool operator()(Slot parent, Slot child) const { return core.mayHang(child, parent); }
 };
 
 }  // namespace
@@ -34,36 +33,56 @@ Slot DiagramCore::nearest(double x, double y, Slot hint) const {
   return slotOf(delaunay_.locate(x, y, start, index_.walk()).nearest);
 }
 
-SiteId DiagramCore::insert(const Site& site) {
+bool DiagramCore::mayHang(Slot child, const Site& childSite, Slot parent,
+                          const Site& parentSite) const {
+  return covers(parentSite, childSite) &&
+         (!areIdentical(parentSite, childSite) || ids_.idOf(parent) < ids_.idOf(child));
+}
+
+SiteId DiagramCore::insert(const Site& site, SiteId given) {
   const Slot slot = ids_.next();
   if (slot + std::size_t{2} > delaunay_.graph().vertexSlots()) {
     hidden_.reserve(slot + std::size_t{1});
     delaunay_.reserve(slot + std::size_t{2});  // last: see reserve
   }
-  return ids_.take(attachSite(slot, site, kNoVertex));
+  const SiteId id = ids_.take(SiteState::kPending, given);
+  try {
+    ids_.setState(slot, attachSite(slot, site, kNoVertex));
+  } catch (...) {
+    ids_.release(slot);
+    throw;
+  }
+  return id;
 }
 
-SiteId DiagramCore::insertBelow(const Site& site, SiteId cover) {
-  const Slot parent = ids_.slotOf(cover);
-  const Site child = normalized(site);
-  if (!covers(this->site(parent), child)) return kNoSite;
+bool DiagramCore::insertBelow(const Site& site, SiteId given, SiteId cover) {
   const Slot slot = ids_.next();
   reserve(slot + std::size_t{1});
   hidden_.reserveChildren(1);
-  delaunay_.setSite(vertexOf(slot), child);
+  delaunay_.setSite(vertexOf(slot), normalized(site));
+  (void)ids_.take(SiteState::kPending, given);
+  const Slot parent = ids_.slotOf(cover);
+  if (!mayHang(slot, parent)) {
+    ids_.release(slot);
+    return false;
+  }
   hidden_.attach(slot, parent);
-  return ids_.take(SiteState::kHidden);
+  ids_.setState(slot, SiteState::kHidden);
+  return true;
 }
 
 SiteState DiagramCore::attachSite(Slot slot, const Site& site, VertexId start, Undo undo) {
   const VertexId v = vertexOf(slot);
   delaunay_.setSite(v, normalized(site));
   if (start == kNoVertex) start = index_.startFor(delaunay_, site.x, site.y);
-  const DelaunayGraph::Insertion insertion = delaunay_.prepareInsertion(v, start, index_.walk());
+  DelaunayGraph::Insertion insertion = delaunay_.prepareInsertion(v, start, index_.walk());
   if (insertion.cover != kNoVertex) {
-    hidden_.reserveChildren(1);
-    link(slot, slotOf(insertion.cover));
-    return SiteState::kHidden;
+    if (mayHang(slot, slotOf(insertion.cover))) {
+      hidden_.reserveChildren(1);
+      link(slot, slotOf(insertion.cover));
+      return SiteState::kHidden;
+    }
+    insertion = delaunay_.prepareReplacing(v, insertion.cover);
   }
   hidden_.reserveChildren(insertion.mostCovered);
   if (undo == Undo::kMaybe) {
@@ -113,7 +132,8 @@ std::size_t DiagramCore::removeMany(std::span<const SiteId> ids) {
 void DiagramCore::detachSite(Slot slot, Undo undo) {
   if (ids_.state(slot) == SiteState::kHidden) {
     invariant(hidden_.isChild(slot), "a hidden site hangs on another");
-    hidden_.dissolve(slot, Covers{delaunay_});  // what it covered is covered by its parent, too
+    // What may hang on it may hang on its parent, too.
+    hidden_.dissolve(slot, MayHang{*this});
   } else {
     detachVisible(slot, undo);
   }
@@ -121,7 +141,7 @@ void DiagramCore::detachSite(Slot slot, Undo undo) {
 }
 
 void DiagramCore::link(Slot child, Slot parent) noexcept {
-  hidden_.link(child, parent, Covers{delaunay_});
+  hidden_.link(child, parent, MayHang{*this});
 }
 
 void DiagramCore::detachVisible(Slot slot, Undo undo) {
@@ -150,9 +170,10 @@ void DiagramCore::detachVisible(Slot slot, Undo undo) {
   }
 }
 
-/// The largest adopts all children that it covers: a question each, while the remover locates
-/// each that it gets. That goes on with the largest of the rest as long as a quarter of
-/// them is adopted: at most four questions a child.
+/// Of identical ones, the one with the least id adopts the others. Then the largest adopts all
+/// children that it covers: a question each, while the remover locates each that it gets. That goes
+/// on with the largest of the rest as long as a quarter of them is adopted: at most four questions
+/// a child.
 void DiagramCore::reparentNestedChildren(Slot slot) {
   FlatArray<VertexId>& children = remover_.hiddenList();
   FlatArray<Remover::Outcome>& adopted = remover_.adoptedList();
@@ -163,12 +184,25 @@ void DiagramCore::reparentNestedChildren(Slot slot) {
     children.push_back(vertexOf(child));
   }
   adopted.reserve(children.size());
-  const auto isSmaller = [this](VertexId a, VertexId b) {
-    return precedes(delaunay_.site(a), delaunay_.site(b));
+  const auto compare = [this](VertexId a, VertexId b) {
+    const Site &siteA = delaunay_.site(a), &siteB = delaunay_.site(b);
+    return areIdentical(siteA, siteB) ? siteOf(a) < siteOf(b) : precedes(siteB, siteA);
   };
+  const FunctionRef<bool(VertexId, VertexId)> isBefore(compare);
+  // With a tenth of the code of std::sort.
+  std::make_heap(children.begin(), children.end(), isBefore);
+  std::sort_heap(children.begin(), children.end(), isBefore);
+  VertexId* kept = children.begin();
+  for (const VertexId child : children) {
+    if (kept != children.begin() && areIdentical(delaunay_.site(kept[-1]), delaunay_.site(child))) {
+      adopted.push_back({child, kept[-1]});
+    } else {
+      *kept++ = child;
+    }
+  }
+  children.resize(static_cast<std::size_t>(kept - children.begin()));
   for (std::size_t done = 0; done + 1 < children.size(); ++done) {
     VertexId* const first = children.begin() + done;
-    std::iter_swap(first, std::max_element(first, children.end(), isSmaller));
     const VertexId largest = *first;
     const auto isAdopted = [&](VertexId child) {
       const bool isCovered = covers(delaunay_.site(largest), delaunay_.site(child));
@@ -210,7 +244,7 @@ void DiagramCore::update(SiteId id, const Site& site) { move(ids_.slotOf(id), si
 
 DiagramCore::Moved DiagramCore::move(Slot slot, const Site& site) {
   const Site old = this->site(slot);
-  if (old.x == site.x && old.y == site.y && old.r == site.r) return Moved::kNot;
+  if (areIdentical(old, site)) return Moved::kNot;
   transaction_.begin();
   if (moveInPlace(slot, site)) return Moved::kInPlace;
   detachSite(slot, Undo::kMaybe);

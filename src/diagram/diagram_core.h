@@ -23,13 +23,17 @@ namespace apollonius::internal {
 
 class DiagramCore {
  public:
-  explicit DiagramCore(Location location) : index_(location) {}
+  explicit DiagramCore(Location location, Naming naming = Naming::kOwn)
+      : ids_(naming), index_(location) {}
 
-  SiteId insert(const Site& site);
-  /// Inserts a site that `cover` covers, hung directly on that one, as its last child: for
-  /// snapshots of what is built of a diagram. kNoSite, and nothing changed, if it is not covered.
-  /// REQUIRES: the id of the cover is in use.
-  [[nodiscard]] SiteId insertBelow(const Site& site, SiteId cover);
+  /// `given` is the id, if ids are given.
+  SiteId insert(const Site& site, SiteId given = kNoSite);
+  /// Inserts a site hung directly on `cover`, as its last child: for snapshots of what is built of
+  /// a diagram. False, and nothing changed, if it may not hang there. REQUIRES: ids are given;
+  /// that of the cover is in use.
+  [[nodiscard]] bool insertBelow(const Site& site, SiteId given, SiteId cover);
+  /// Room for given ids below this limit.
+  void reserveIds(std::size_t idLimit) { ids_.reserveIds(idLimit); }
 
   /// False if the id is not in use.
   bool remove(SiteId id);
@@ -45,8 +49,8 @@ class DiagramCore {
   void reserveStaged(std::size_t more) { delaunay_.reserveSites(slotsWith(more) + 1); }
   /// Copies a circle to one of the slots that ids() gives next.
   void stage(Slot slot, const Site& circle) { delaunay_.setSite(vertexOf(slot), circle); }
-  /// Room for these sites, and an id for each, which `ids` receives. The insertion can be rolled
-  /// back from here on. Returns what to call attachStaged() with.
+  /// Room for these sites, and an id for each, which `ids` receives, unless it gives them. The
+  /// insertion can be rolled back from here on. Returns what to call attachStaged() with.
   [[nodiscard]] Undo beginBulk(std::span<SiteId> ids);
   /// The next slot becomes that of this id, and pending.
   Slot takeSlot(SiteId id) { return ids_.takeSlot(id, SiteState::kPending); }
@@ -74,6 +78,12 @@ class DiagramCore {
   /// Slots are kept while sites stay, but updateMany() may build the diagram anew, and then this
   /// number changes.
   [[nodiscard]] std::uint32_t layout() const { return layout_; }
+
+  /// May a site hang on another in the forest? The other covers it and, if the two are identical,
+  /// has the lesser id. A strict partial order.
+  [[nodiscard]] bool mayHang(Slot child, Slot parent) const {
+    return mayHang(child, site(child), parent, site(parent));
+  }
 
   /// The nearest site; `hint` is a visible site close to the point, or kNoSlot. REQUIRES: not
   /// empty.
@@ -117,6 +127,8 @@ class DiagramCore {
   /// in place.
   std::size_t moveManyInPlace(std::span<const SiteId> ids, std::span<const double> xyr,
                               std::span<const std::uint32_t> order, std::size_t mostLeft);
+  [[nodiscard]] bool mayHang(Slot child, const Site& childSite, Slot parent,
+                             const Site& parentSite) const;
   [[nodiscard]] bool coversChildren(Slot slot, const Site& to) const;
   [[nodiscard]] bool staysBelow(Slot slot, const Site& to) const;
   /// Makes those of moves_ that leave the graph as it is, and keeps only them there; the levels and
@@ -135,8 +147,8 @@ class DiagramCore {
   /// A site that has moved in place.
   void moveBack(Slot slot, const Site& from) noexcept;
   void detachVisible(Slot slot, Undo undo);
-  /// Into the remover's lists, hiddenList() what hangs on a visible site and may become visible,
-  /// adoptedList() the rest of what hangs on it.
+  /// Into the remover's lists, hiddenList() what hangs on a visible site and may become visible, no
+  /// two of it identical, adoptedList() the rest of what hangs on it.
   void reparentNestedChildren(Slot slot);
   void orderForInsertion(FlatArray<VertexId>& vertices) const;
   /// Hangs a site of no other structure on one that covers it, or below. There is room; nothing

@@ -35,6 +35,15 @@
 // which become visible. Each is hung then on what covers it, so that it comes up again only when
 // that one is removed.
 //
+// Of two identical sites, the one with the larger id may hang on the other (DiagramCore::mayHang).
+// So of identical sites the one with the least id is visible, if any is. Proof. A site that is
+// inserted takes the place of an identical visible one with a larger id. Else let s become visible
+// as its parent p is removed, and let t be identical to s. The visible site above t covers t, hence
+// s, so that it was p. Let c be t, or what is above t and hangs on p. After the removal c is
+// visible or covered by a visible site, which covers s then, and so is s. Hence c is identical to
+// s, and so is all between c and t; ids ascend on that way. Of identical children of p only that
+// with the least id becomes visible (DiagramCore::reparentNestedChildren): it is s. []
+//
 // Children form a list with both ends known to the parent; the ends name the parent where there is
 // no further sibling, so that taking a site out, with its children put in its place, needs no
 // search.
@@ -88,8 +97,8 @@ class HiddenForest {
   void attach(Node child, Node parent) { insertBefore(kEnd | parent, child, parent); }
 
   /// Hangs a root on `parent` or below, and perhaps something from below that on the root, as said
-  /// above. covers(a, b): may b hang on a? A partial order, but for identical sites, and it must
-  /// not throw. REQUIRES: covers(parent, child), and room.
+  /// above. covers(a, b): may b hang on a? A strict partial order, which must not throw. REQUIRES:
+  /// covers(parent, child), and room.
   template <class Covers>
   void link(Node child, Node parent, Covers covers);
 
@@ -193,7 +202,7 @@ template <class Covers>
 void HiddenForest::link(Node child, Node parent, Covers covers) {
   while (!hasFew(parent, kFew - 1)) {
     const Node last = links(parent).lastChild;
-    if (covers(child, last)) {  // identical sites, too: one question less for the next
+    if (covers(child, last)) {
       detach(last);
       insertBefore(firstChild(parent), child, parent);
       parent = child;

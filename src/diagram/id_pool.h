@@ -29,8 +29,13 @@ constexpr Slot slotOf(VertexId v) { return static_cast<Slot>(v) - 1; }
 /// steps only.
 enum class SiteState : std::uint8_t { kFree = 0, kVisible = 1, kHidden = 2, kPending = 3 };
 
+/// Who chooses the id of a new site: the pool, or the caller, who then keeps the list of free ids.
+enum class Naming : std::uint8_t { kOwn, kGiven };
+
 class IdPool {
  public:
+  explicit IdPool(Naming naming = Naming::kOwn) : naming_(naming) {}
+
   [[nodiscard]] std::size_t slots() const { return slots_.size(); }  ///< slots in use are below
   [[nodiscard]] std::size_t idLimit() const { return ids_.size(); }  ///< ids in use are below
   [[nodiscard]] std::size_t size() const { return slots_.size() - freeSlots_; }
@@ -48,9 +53,9 @@ class IdPool {
   }
 
   /// Makes room for one more site and returns the slot that it will get; it is not in use before
-  /// take().
+  /// take(). REQUIRES, if ids are given: reserveIds().
   [[nodiscard]] Slot next() {
-    if (firstFreeId_ == kEnd) {
+    if (naming_ == Naming::kOwn && firstFreeId_ == kEnd) {
       ids_.push_back(kFreeId | kEnd);
       firstFreeId_ = static_cast<SiteId>(ids_.size() - 1);
     }
@@ -62,16 +67,20 @@ class IdPool {
     return firstFreeSlot_;
   }
 
-  /// Takes the next slot and the next id. REQUIRES: next().
-  SiteId take(SiteState state) {
-    const SiteId id = takeId();
+  /// Takes the next slot and the next id, or the one that is given. REQUIRES: next().
+  SiteId take(SiteState state, SiteId given = kNoSite) {
+    const SiteId id = takeId(given);
     (void)takeSlot(id, state);
     return id;
   }
 
   /// The two halves of take(), for many sites whose slots are in another order than their ids.
   /// REQUIRES: reserve().
-  [[nodiscard]] SiteId takeId() {
+  [[nodiscard]] SiteId takeId(SiteId given = kNoSite) {
+    if (naming_ == Naming::kGiven) {
+      ids_[given] = kNoSlot;
+      return given;
+    }
     if (firstFreeId_ == kEnd) {
       ids_.push_back(kNoSlot);
       return static_cast<SiteId>(ids_.size() - 1);
@@ -120,18 +129,19 @@ class IdPool {
     hiddenCount_ -= state(slot) == SiteState::kHidden;
     const SiteId id = idOf(slot);
     ids_[id] = kFreeId | firstFreeId_;
-    firstFreeId_ = id;
+    if (naming_ == Naming::kOwn) firstFreeId_ = id;
     slots_[slot] = word(SiteState::kFree, firstFreeSlot_);
     firstFreeSlot_ = slot;
     ++freeSlots_;
   }
 
-  /// Calls the sites 0, 1, 2, … by these names, and takes over which ids are free from the
-  /// numbering that they come from. REQUIRES: no free slots or ids; the names are all that `other`
-  /// has in use. Throws std::bad_alloc with nothing changed.
+  /// Calls the sites 0, 1, 2, … by these names, and takes over from the numbering that they come
+  /// from which ids are free, and who chooses them. REQUIRES: no free slots or ids; the names are
+  /// all that `other` has in use. Throws std::bad_alloc with nothing changed.
   void rename(std::span<const SiteId> names, const IdPool& other) {
     ids_ = other.ids_;
     firstFreeId_ = other.firstFreeId_;
+    naming_ = other.naming_;
     for (Slot slot = 0; slot < slots_.size(); ++slot) {
       const SiteId name = names[idOf(slot)];
       ids_[name] = slot;
@@ -147,8 +157,13 @@ class IdPool {
     }
   }
 
-  /// Snapshots: for each slot its id, or kNoSite; then the free slots and the free ids, in the
-  /// order in which they are used.
+  /// Room for given ids below this limit.
+  void reserveIds(std::size_t idLimit) {
+    if (ids_.size() < idLimit) ids_.resize(idLimit, kFreeId | kEnd);
+  }
+
+  /// Snapshots, of a pool that chooses the ids: for each slot its id, or kNoSite; then the free
+  /// slots and the free ids, in the order in which they are used.
   void save(WordWriter& out) const {
     for (Slot slot = 0; slot < slots_.size(); ++slot)
       out.word(state(slot) == SiteState::kFree ? kNoSite : idOf(slot));
@@ -183,6 +198,7 @@ class IdPool {
 
   static constexpr std::uint32_t kNotListed = kEnd - 1;  // a free slot, while a snapshot is read
 
+  Naming naming_;
   FlatArray<std::uint32_t> ids_;    // by id
   FlatArray<std::uint32_t> slots_;  // by slot
   SiteId firstFreeId_ = kEnd;

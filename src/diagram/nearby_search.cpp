@@ -12,8 +12,8 @@
 //   d(x, s), hence d(p, u) <= d(p, s), and not equal: u is before s.
 //
 // Hidden sites: a site that covers s, |c - c_s| <= r - r_s, is nowhere farther than s (triangle
-// inequality again) and is larger, unless the two are identical. So s comes after its parent in the
-// forest, and joins the queue when the parent is reported.
+// inequality again) and is larger, or it is identical and has a lesser id. So s comes after its
+// parent in the forest, and joins the queue when the parent is reported.
 #include "diagram/nearby_search.h"
 
 #include <algorithm>
@@ -68,7 +68,7 @@ bool NearbySearch::isAfter(const Entry& a, const Entry& b) const {
   const Site &sa = diagram_.site(a.slot), &sb = diagram_.site(b.slot);
   if (isNearer(x_, y_, sa, sb)) return true;
   return !isNearer(x_, y_, sb, sa) &&
-         diagram_.ids().idOf(a.slot) > diagram_.ids().idOf(b.slot);  // identical: any order will do
+         diagram_.ids().idOf(a.slot) > diagram_.ids().idOf(b.slot);  // identical
 }
 
 void NearbySearch::consider(Slot slot) {

@@ -38,7 +38,7 @@ class SlotSet {
 };
 
 /// All sites, hidden ones too, in the order of their distance to a point, or those that are not
-/// farther than a limit; ties as in DiagramCore::nearest(), identical circles in any order. The
+/// farther than a limit; ties as in DiagramCore::nearest(), identical circles ascending by id. The
 /// diagram must stay as it is. Cost: one location and O(m log m), m = the neighbours of the sites
 /// found. Calls throw std::bad_alloc, and are not to be repeated then.
 class NearbySearch {

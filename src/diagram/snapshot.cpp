@@ -138,7 +138,7 @@ bool DiagramCore::restoreHidden(WordReader& in, std::size_t count) {
     if (ids_.state(child) != SiteState::kPending) return false;
     if (ids_.state(parent) != SiteState::kVisible && ids_.state(parent) != SiteState::kHidden)
       return false;
-    if (!covers(site(parent), site(child))) return false;
+    if (!mayHang(child, parent)) return false;
     hidden_.attach(child, parent);
     ids_.setState(child, SiteState::kHidden);
   }

@@ -36,7 +36,7 @@ bool DiagramCore::moveInPlace(Slot slot, const Site& site) {
 bool DiagramCore::coversChildren(Slot slot, const Site& to) const {
   for (Slot child = hidden_.firstChild(slot); child != HiddenForest::kNone;
        child = hidden_.nextSibling(child)) {
-    if (!covers(to, site(child))) return false;
+    if (!mayHang(child, site(child), slot, to)) return false;
   }
   return true;
 }
@@ -45,7 +45,7 @@ bool DiagramCore::coversChildren(Slot slot, const Site& to) const {
 /// to be found quickly.
 bool DiagramCore::staysBelow(Slot slot, const Site& to) const {
   const Slot parent = hidden_.isChild(slot) ? hidden_.parentIfNear(slot) : HiddenForest::kNone;
-  return parent != HiddenForest::kNone && covers(site(parent), to);
+  return parent != HiddenForest::kNone && mayHang(slot, to, parent, site(parent));
 }
 
 void DiagramCore::makeMoves(std::size_t mostLeft) {
@@ -70,7 +70,7 @@ std::size_t DiagramCore::moveManyInPlace(std::span<const SiteId> ids, std::span<
     const Slot slot = ids_.slotOf(ids[k]);
     const Site to = normalized({xyr[3 * k], xyr[3 * k + 1], xyr[3 * k + 2]});
     const Site& from = site(slot);
-    if (from.x == to.x && from.y == to.y && from.r == to.r) continue;
+    if (areIdentical(from, to)) continue;
     if (delaunay_.graph().hasVertex(vertexOf(slot)) && coversChildren(slot, to)) {
       moves_.push_back({vertexOf(slot), to});
     } else {
@@ -113,7 +113,7 @@ void DiagramCore::updateMany(std::span<const SiteId> ids, std::span<const double
     for (const std::size_t k : order) {
       const Slot slot = ids_.slotOf(ids[k]);
       const Site &from = before[k], &to = site(slot);
-      if (from.x == to.x && from.y == to.y && from.r == to.r) continue;
+      if (areIdentical(from, to)) continue;
       moves_.push_back({vertexOf(slot), from});
       index_.moved(slot, to, from);
     }

@@ -28,6 +28,8 @@ Violation checkHidden(const DiagramCore& diagram) {
         return found("a hidden site is not covered by its parent: site");
       if (reached.size() == ids.size())
         return found("the forest of hidden sites has a cycle: site");
+      if (!diagram.mayHang(child, reached[k]))
+        return found("a hidden site is identical to its parent and has a lesser id: site");
       reached.push_back(child);
     }
   }

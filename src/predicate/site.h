@@ -11,6 +11,10 @@ struct Site {
   double r = 0;
 };
 
+constexpr bool areIdentical(const Site& a, const Site& b) {
+  return a.x == b.x && a.y == b.y && a.r == b.r;
+}
+
 /// -0 + 0 is 0: one number, one pattern of bits.
 constexpr Site normalized(const Site& site) { return {site.x + 0.0, site.y + 0.0, site.r + 0.0}; }
 

@@ -113,6 +113,11 @@ struct Cap {
 
 [[nodiscard]] Cap capOf(const LonLat& centre, double weight);
 
+constexpr bool areIdentical(const Cap& a, const Cap& b) {
+  return a.centre.x == b.centre.x && a.centre.y == b.centre.y && a.centre.z == b.centre.z &&
+         a.weight == b.weight;
+}
+
 /// With the angle between two centres as large as the difference of the weights up to this share,
 /// one cap nearly covers the other, and rounding leaves little of what is between.
 inline constexpr double kNearlyCovered = 0x1p-26;

@@ -35,7 +35,7 @@ bool ProjectedDiagram::Filling::advance(std::size_t steps) {
       }
       return false;
     case Step::kInsert:
-      if (insertion_->insert({planeIds_.data(), circleCount_}, steps)) {
+      if (insertion_->insert({ids_.data(), circleCount_}, steps)) {
         insertion_.reset();
         step_ = Step::kEnter;
       }
@@ -55,7 +55,7 @@ void ProjectedDiagram::Filling::project(std::size_t most) {
     const SiteId id = ids_[done_];
     const Projection::Image image = diagram_.projection_.image(caps_[id]);
     if (image.kind != Kind::kCircle) {
-      diagram_.enterBelowPole(id);
+      diagram_.enterBelowPole(id, caps_[id]);
       continue;
     }
     diagram_.loss_ = std::max(diagram_.loss_, image.loss);
@@ -67,13 +67,12 @@ void ProjectedDiagram::Filling::project(std::size_t most) {
   step_ = circleCount_ > 0 ? Step::kStage : Step::kDone;
   if (circleCount_ == 0) return;
   diagram_.grid_.reset(circleCount_);
-  planeIds_.resize(circleCount_);
   insertion_.emplace(diagram_.plane_);
 }
 
 void ProjectedDiagram::Filling::enter(std::size_t most) {
   const std::size_t end = done_ + std::min(most, circleCount_ - done_);
-  for (; done_ < end; ++done_) diagram_.enter(ids_[done_], planeIds_[done_], caps_[ids_[done_]]);
+  for (; done_ < end; ++done_) diagram_.setCap(ids_[done_], caps_[ids_[done_]]);
   if (done_ < circleCount_) return;
   diagram_.grid_.fill();
   step_ = Step::kDone;
@@ -119,7 +118,7 @@ bool ProjectedDiagram::restore(const SiteTable& sites, SiteId pole,
     if (!isPlaced[pair.cover] || !enterBelow(pair, caps[pair.site])) return false;
     isPlaced[pair.site] = true;
   }
-  return true;
+  return pole_ == pole;
 }
 
 bool ProjectedDiagram::enterBelow(const HiddenSite& hidden, const Cap& cap) {
@@ -127,13 +126,12 @@ bool ProjectedDiagram::enterBelow(const HiddenSite& hidden, const Cap& cap) {
   const bool isPoles = hidden.cover == pole_;
   if (image.kind != (isPoles ? Kind::kBelowPole : Kind::kCircle)) return false;
   if (isPoles) {
-    enterBelowPole(hidden.site);
+    enterBelowPole(hidden.site, cap);
     return true;
   }
-  if (isBelowPole(hidden.cover)) return false;
-  const SiteId plane = plane_.insertBelow(image.circle, places_[hidden.cover]);
-  if (plane == kNoSite) return false;
-  enter(hidden.site, plane, cap);
+  if (isBelowPole(hidden.cover) || !plane_.insertBelow(image.circle, hidden.site, hidden.cover))
+    return false;
+  setCap(hidden.site, cap);
   loss_ = std::max(loss_, image.loss);
   return true;
 }
@@ -144,9 +142,9 @@ FlatArray<HiddenSite> ProjectedDiagram::hidden(const SiteTable& sites) const {
   for (const SiteId id : belowPole_) all.push_back({id, pole_});
   const HiddenForest& forest = plane_.hidden();
   const auto addChildren = [&](SiteId cover) {
-    for (Slot child = forest.firstChild(plane_.ids().slotOf(places_[cover]));
-         child != HiddenForest::kNone; child = forest.nextSibling(child))
-      all.push_back({siteOfPlane_[plane_.ids().idOf(child)], cover});
+    for (Slot child = forest.firstChild(plane_.ids().slotOf(cover)); child != HiddenForest::kNone;
+         child = forest.nextSibling(child))
+      all.push_back({plane_.ids().idOf(child), cover});
   };
   for (SiteId id = 0; id < sites.idLimit(); ++id) {
     if (sites.has(id) && id != pole_ && !isHidden(id)) addChildren(id);
@@ -160,30 +158,24 @@ bool ProjectedDiagram::isTooRough(double loss) const {
 }
 
 void ProjectedDiagram::reserve(std::size_t idLimit, std::size_t circles) {
-  if (places_.size() < idLimit) places_.resize(idLimit, 0);
+  plane_.reserveIds(idLimit);
+  if (placeBelowPole_.size() < idLimit) placeBelowPole_.resize(idLimit, 0);
   if (belowPole_.capacity() < idLimit) belowPole_.reserve(idLimit + idLimit / 2);
   const std::size_t slots = plane_.ids().slots() + circles;
   if (caps_.size() < slots) caps_.resize(slots);
-  const std::size_t names = plane_.ids().idLimit() + circles;
-  if (siteOfPlane_.size() < names) siteOfPlane_.resize(names, kNoSite);
 }
 
-void ProjectedDiagram::enter(SiteId id, SiteId plane, const Cap& cap) noexcept {
-  places_[id] = plane;
-  siteOfPlane_[plane] = id;
-  setCap(plane, cap);
-}
-
-void ProjectedDiagram::enterBelowPole(SiteId id) noexcept {
-  places_[id] = kBelowPole | static_cast<std::uint32_t>(belowPole_.size());
+void ProjectedDiagram::enterBelowPole(SiteId id, const Cap& cap) noexcept {
+  if (id < pole_ && areIdentical(cap, poleCap_)) std::swap(id, pole_);
+  placeBelowPole_[id] = static_cast<std::uint32_t>(belowPole_.size());
   belowPole_.push_back(id);
 }
 
 void ProjectedDiagram::leaveBelowPole(SiteId id) noexcept {
-  const std::uint32_t place = places_[id] & ~kBelowPole;
+  const std::uint32_t place = placeBelowPole_[id];
   const SiteId last = belowPole_.back();
   belowPole_[place] = last;
-  places_[last] = kBelowPole | place;
+  placeBelowPole_[last] = place;
   belowPole_.pop_back();
 }
 
@@ -193,12 +185,13 @@ bool ProjectedDiagram::insertOne(const SiteTable& sites, SiteId id) {
   if (image.kind == Kind::kCoversPole) return false;
   if (image.kind == Kind::kBelowPole) {
     reserve(sites.idLimit(), 0);
-    enterBelowPole(id);
+    enterBelowPole(id, cap);
     return true;
   }
   if (isTooRough(image.loss)) return false;
   reserve(sites.idLimit(), 1);
-  enter(id, plane_.insert(image.circle), cap);
+  (void)plane_.insert(image.circle, id);
+  setCap(id, cap);
   loss_ = std::max(loss_, image.loss);
   return true;
 }
@@ -208,6 +201,8 @@ bool ProjectedDiagram::insert(const SiteTable& sites, std::span<const SiteId> id
   if (ids.size() == 1) return insertOne(sites, ids[0]);
   FlatArray<double> circles;
   circles.reserve(3 * ids.size());
+  FlatArray<SiteId> projected;
+  projected.reserve(ids.size());
   double loss = loss_;
   for (const SiteId id : ids) {
     const Projection::Image image = projection_.image(sites.cap(id));
@@ -216,19 +211,18 @@ bool ProjectedDiagram::insert(const SiteTable& sites, std::span<const SiteId> id
     if (isTooRough(image.loss)) return false;
     loss = std::max(loss, image.loss);
     append(circles, image.circle);
+    projected.push_back(id);
   }
-  const std::size_t images = circles.size() / 3;
-  reserve(sites.idLimit(), images);
-  FlatArray<SiteId> planeIds(images);
-  if (images > 0) insertAll(plane_, {circles.data(), circles.size()}, {planeIds.data(), images});
+  reserve(sites.idLimit(), projected.size());
+  if (!projected.empty())
+    insertAll(plane_, {circles.data(), circles.size()}, {projected.data(), projected.size()});
   loss_ = loss;
-  std::size_t next = 0;
   for (const SiteId id : ids) {
     const Cap cap = sites.cap(id);
-    if (projection_.image(cap).kind == Kind::kCircle)
-      enter(id, planeIds[next++], cap);
+    if (plane_.ids().slotOf(id) == kNoSlot)
+      enterBelowPole(id, cap);
     else
-      enterBelowPole(id);
+      setCap(id, cap);
   }
   return true;
 }
@@ -238,48 +232,42 @@ bool ProjectedDiagram::removeOne(SiteId id) {
   if (isBelowPole(id))
     leaveBelowPole(id);
   else
-    (void)plane_.remove(places_[id]);
+    (void)plane_.remove(id);
   return true;
 }
 
 bool ProjectedDiagram::remove(std::span<const SiteId> ids) {
   if (ids.size() == 1) return removeOne(ids[0]);
-  FlatArray<SiteId> planeIds;
-  planeIds.reserve(ids.size());
+  if (std::ranges::find(ids, pole_) != ids.end()) return false;
+  FlatArray<SiteId> below;
+  below.reserve(ids.size());
   for (const SiteId id : ids) {
-    if (id == pole_) return false;
-    if (!isBelowPole(id)) planeIds.push_back(places_[id]);
+    if (isBelowPole(id)) below.push_back(id);
   }
-  (void)plane_.removeMany({planeIds.data(), planeIds.size()});
-  for (const SiteId id : ids) {
-    if (isBelowPole(id)) leaveBelowPole(id);
-  }
+  (void)plane_.removeMany(ids);  // passes over those below the pole, which have no slot
+  for (const SiteId id : below) leaveBelowPole(id);
   return true;
 }
 
 bool ProjectedDiagram::updateOne(const SiteTable& sites, SiteId id) {
   const Cap cap = sites.cap(id);
   const Projection::Image image = projection_.image(cap);
-  const bool wasBelowPole = isBelowPole(id);
   if (image.kind == Kind::kCoversPole) return false;
   if (image.kind == Kind::kBelowPole) {
-    if (!wasBelowPole) {
-      reserve(sites.idLimit(), 0);
-      (void)plane_.remove(places_[id]);
-      enterBelowPole(id);
-    }
+    reserve(sites.idLimit(), 0);
+    (void)removeOne(id);
+    enterBelowPole(id, cap);
     return true;
   }
   if (isTooRough(image.loss)) return false;
-  if (wasBelowPole) {
+  if (isBelowPole(id)) {
     reserve(sites.idLimit(), 1);
-    const SiteId plane = plane_.insert(image.circle);
+    (void)plane_.insert(image.circle, id);
     leaveBelowPole(id);
-    enter(id, plane, cap);
   } else {
-    plane_.update(places_[id], image.circle);
-    setCap(places_[id], cap);
+    plane_.update(id, image.circle);
   }
+  setCap(id, cap);
   loss_ = std::max(loss_, image.loss);
   return true;
 }
@@ -289,24 +277,21 @@ bool ProjectedDiagram::update(const SiteTable& sites, std::span<const SiteId> id
   if (ids.size() == 1) return updateOne(sites, ids[0]);
   FlatArray<double> circles;
   circles.reserve(3 * ids.size());
-  FlatArray<SiteId> planeIds;
-  planeIds.reserve(ids.size());
   double loss = loss_;
   for (const SiteId id : ids) {
     const Projection::Image image = projection_.image(sites.cap(id));
     if (image.kind != Kind::kCircle || isBelowPole(id) || isTooRough(image.loss)) return false;
     loss = std::max(loss, image.loss);
     append(circles, image.circle);
-    planeIds.push_back(places_[id]);
   }
   const std::uint32_t layout = plane_.layout();
-  plane_.updateMany({planeIds.data(), planeIds.size()}, {circles.data(), circles.size()});
+  plane_.updateMany(ids, {circles.data(), circles.size()});
   loss_ = loss;
   if (plane_.layout() == layout) {
-    for (const SiteId id : ids) setCap(places_[id], sites.cap(id));
+    for (const SiteId id : ids) setCap(id, sites.cap(id));
   } else {
     for (SiteId id = 0; id < sites.idLimit(); ++id) {
-      if (sites.has(id) && id != pole_ && !isBelowPole(id)) setCap(places_[id], sites.cap(id));
+      if (sites.has(id) && id != pole_ && !isBelowPole(id)) setCap(id, sites.cap(id));
     }
   }
   return true;
@@ -321,23 +306,20 @@ const char* ProjectedDiagram::check(const SiteTable& sites, std::uint32_t& where
     if (id == pole_) continue;
     const Projection::Image image = projection_.image(sites.cap(id));
     if (isBelowPole(id)) {
-      const std::uint32_t place = places_[id] & ~kBelowPole;
+      const std::uint32_t place = placeBelowPole_[id];
       if (place >= belowPole_.size() || belowPole_[place] != id)
         return "is not in the list of sites that the pole covers: site";
       if (image.kind != Kind::kBelowPole) return "is not covered by the pole: site";
+      if (id < pole_ && areIdentical(sites.cap(id), poleCap_))
+        return "is identical to the pole and has a lesser id: site";
       continue;
     }
-    const Slot slot = plane_.ids().slotOf(places_[id]);
-    if (slot == kNoSlot || siteOfPlane_[places_[id]] != id)
-      return "is not that of its circle: site";
+    const Slot slot = plane_.ids().slotOf(id);
     const Site& circle = plane_.site(slot);
     if (image.kind != Kind::kCircle || image.circle.x != circle.x || image.circle.y != circle.y ||
         image.circle.r != circle.r)
       return "has another circle than its image: site";
-    const Cap &cap = caps_[slot], expected = sites.cap(id);
-    if (cap.centre.x != expected.centre.x || cap.centre.y != expected.centre.y ||
-        cap.centre.z != expected.centre.z || cap.weight != expected.weight)
-      return "has another cap in the graph: site";
+    if (!areIdentical(caps_[slot], sites.cap(id))) return "has another cap in the graph: site";
   }
   where = static_cast<std::uint32_t>(found);
   if (found != sites.size() || plane_.ids().size() + belowPole_.size() + !isEmpty() != found)

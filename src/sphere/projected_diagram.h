@@ -1,8 +1,8 @@
 // The sites of the sphere as circles of the plane, as seen from one visible site, the pole: where
 // each site is, and the plane's diagram. (projection.h)
 //
-// Nodes are the plane's vertices, and its vertex at infinity is the pole. Sites that the pole
-// covers have no circle and are listed beside.
+// Nodes are the plane's vertices, and its vertex at infinity is the pole. A site has the same id in
+// the plane. Sites that the pole covers have no circle and are listed beside.
 #pragma once
 
 #include <cstddef>
@@ -31,10 +31,13 @@ class ProjectedDiagram {
   class Filling;
 
   /// Without sites.
-  ProjectedDiagram() : plane_(Location::kHierarchy) {}
+  ProjectedDiagram() : plane_(Location::kHierarchy, Naming::kGiven) {}
   /// Seen from `pole`, still without other sites, which Filling enters.
   ProjectedDiagram(const Cap& poleCap, SiteId pole)
-      : pole_(pole), poleCap_(poleCap), projection_(poleCap), plane_(Location::kHierarchy) {}
+      : pole_(pole),
+        poleCap_(poleCap),
+        projection_(poleCap),
+        plane_(Location::kHierarchy, Naming::kGiven) {}
 
   /// Becomes the diagram of all sites of the table, seen from `pole`, in which these and no others
   /// are hidden, as hidden() has listed them. False, and unusable, if there is no such one. Throws
@@ -94,12 +97,12 @@ class ProjectedDiagram {
     return projection_.towards(delaunay.site(from), delaunay.site(to));
   }
   [[nodiscard]] SiteId siteOf(VertexId node) const {
-    return node == kInfinity ? pole_ : siteOfPlane_[plane_.siteOf(node)];
+    return node == kInfinity ? pole_ : plane_.siteOf(node);
   }
   /// kNoVertex for a site that the pole covers.
   [[nodiscard]] VertexId nodeOf(SiteId id) const {
     if (id == pole_) return kInfinity;
-    return isBelowPole(id) ? kNoVertex : vertexOf(plane_.ids().slotOf(places_[id]));
+    return isBelowPole(id) ? kNoVertex : vertexOf(plane_.ids().slotOf(id));
   }
   [[nodiscard]] bool isHidden(SiteId id) const {
     return isBelowPole(id) ||
@@ -139,24 +142,23 @@ class ProjectedDiagram {
 
  private:
   static constexpr double kMostLoss = 16 * kUsualLoss;
-  // A place of a site: its id in the plane, or with the top bit set where it is in belowPole_.
-  static constexpr std::uint32_t kBelowPole = 0x80000000u;
 
+  /// REQUIRES: a site of the diagram.
   [[nodiscard]] bool isBelowPole(SiteId id) const {
-    return id != pole_ && (places_[id] & kBelowPole) != 0;
+    return id != pole_ && plane_.ids().slotOf(id) == kNoSlot;
   }
   /// Enters a hidden site of a snapshot. False if its cover is not seen to cover it.
   [[nodiscard]] bool enterBelow(const HiddenSite& hidden, const Cap& cap);
   [[nodiscard]] bool isTooRough(double loss) const;
   void reserve(std::size_t idLimit, std::size_t circles);
-  void setCap(SiteId plane, const Cap& cap) {
-    const Slot slot = plane_.ids().slotOf(plane);
+  void setCap(SiteId id, const Cap& cap) {
+    const Slot slot = plane_.ids().slotOf(id);
     caps_[slot] = cap;
     if (plane_.ids().state(slot) == SiteState::kVisible) grid_.set(cap.centre, slot);
   }
-  /// A site with this id in the plane. There is room.
-  void enter(SiteId id, SiteId plane, const Cap& cap) noexcept;
-  void enterBelowPole(SiteId id) noexcept;
+  /// There is room. A site that is identical to the pole becomes the pole itself if its id is less,
+  /// and what has been the pole is below it.
+  void enterBelowPole(SiteId id, const Cap& cap) noexcept;
   void leaveBelowPole(SiteId id) noexcept;
   // Without arrays of what is done.
   [[nodiscard]] bool insertOne(const SiteTable& sites, SiteId id);
@@ -167,10 +169,9 @@ class ProjectedDiagram {
   Cap poleCap_;
   Projection projection_;
   DiagramCore plane_;
-  FlatArray<Cap> caps_;              // by slot of the plane
-  FlatArray<SiteId> siteOfPlane_;    // by id of the plane
-  FlatArray<std::uint32_t> places_;  // by site
+  FlatArray<Cap> caps_;  // by slot of the plane
   FlatArray<SiteId> belowPole_;
+  FlatArray<std::uint32_t> placeBelowPole_;  // by site that the pole covers: its index there
   DirectionGrid grid_;
   double loss_ = 1;
 };
@@ -204,8 +205,7 @@ class ProjectedDiagram::Filling {
   Step step_ = Step::kProject;
   std::size_t done_ = 0;  // of ids_, in this step
   std::size_t circleCount_ = 0;
-  FlatArray<double> circles_;  // x, y, r of those that have one, until they are staged
-  FlatArray<SiteId> planeIds_;
+  FlatArray<double> circles_;               // x, y, r of those that have one, until they are staged
   std::optional<BulkInsertion> insertion_;  // last: it is undone while the ids are there
 };
 

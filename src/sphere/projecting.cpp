@@ -65,8 +65,12 @@ void Projecting::makeCaps(std::size_t most) {
 }
 
 void Projecting::beginToFill() {
-  const SiteId pole = choice_->pole();
+  SiteId pole = choice_->pole();
   choice_.reset();
+  // Of identical sites the one with the least id is visible.
+  for (SiteId id = 0; id < pole; ++id) {
+    if (sites_.has(id) && areIdentical(caps_[id], caps_[pole])) pole = id;
+  }
   FlatArray<SiteId> others;
   others.reserve(sites_.size());
   for (SiteId id = 0; id < sites_.idLimit(); ++id) {

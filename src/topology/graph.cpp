@@ -75,6 +75,12 @@ void Graph::setFace(FaceId f, VertexId a, VertexId b, VertexId c) {
   }
 }
 
+void Graph::replaceVertex(VertexId v, VertexId w) {
+  for (const HalfedgeId h : star(v)) halfedges_[index(h)].origin = w;
+  outgoing_[index(w)] = outgoing_[index(v)];
+  outgoing_[index(v)] = kNoHalfedge;
+}
+
 void Graph::makePair(VertexId u, VertexId v, std::span<FaceId> faces) {
   for (FaceId& f : faces) f = takeFace();
   setFace(faces[0], u, v, kInfinity);

@@ -131,6 +131,9 @@ class Graph {
   void replaceStar(VertexId v, std::span<const HalfedgeId> link, std::span<const PatchFace> patch,
                    std::span<FaceId> newFaces);
 
+  /// Vertex w takes the place of v, which leaves the graph. Cost: O(degree). REQUIRES: room for w.
+  void replaceVertex(VertexId v, VertexId w);
+
   // --- Snapshots (snapshot.cpp)
 
   /// Writes 1 + 3 * faceSlots() + vertexSlots words. No vertex from vertexSlots on is in the graph.

@@ -224,6 +224,16 @@ TEST_F(DiagramCheck, CycleInTheForest) {
   expectBroken("the forest of hidden sites has a cycle: site");
 }
 
+TEST_F(DiagramCheck, OfIdenticalSitesTheLargerIdIsVisible) {
+  (void)core.insert({1, 2, 3});
+  (void)core.insert({1, 2, 3});
+  ASSERT_EQ(validate(core).text(), "");
+  const std::vector<SiteId> names{1, 0};
+  Breaker::ids(core).rename(names, IdPool(Breaker::ids(core)));
+  EXPECT_EQ(validate(core).text(),
+            "a hidden site is identical to its parent and has a lesser id: site 0");
+}
+
 TEST_F(DiagramCheck, HiddenSiteOnNothing) {
   fill(9);
   Breaker::hidden(core).detach(lastHidden);

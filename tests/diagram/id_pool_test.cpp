@@ -79,6 +79,30 @@ TEST(IdPool, IdsAndSlotsInDifferentOrders) {
   EXPECT_EQ(take(ids, SiteState::kVisible), c);
 }
 
+TEST(IdPool, GivenIdsAreTakenAndFreedInAnyOrder) {
+  IdPool ids(Naming::kGiven);
+  ids.reserveIds(8);
+  EXPECT_EQ(ids.size(), 0u);
+  for (const SiteId id : {5u, 2u, 7u}) {
+    EXPECT_EQ(ids.slotOf(id), kNoSlot);
+    const Slot slot = ids.next();
+    EXPECT_EQ(ids.take(SiteState::kVisible, id), id);
+    EXPECT_EQ(ids.slotOf(id), slot);
+    EXPECT_EQ(ids.idOf(slot), id);
+  }
+  release(ids, 2);
+  release(ids, 5);
+  EXPECT_EQ(ids.slotOf(2), kNoSlot);
+  for (const SiteId id : {2u, 0u}) {
+    (void)ids.next();
+    EXPECT_EQ(ids.take(SiteState::kHidden, id), id);
+  }
+  EXPECT_EQ(ids.size(), 3u);
+  EXPECT_EQ(ids.hiddenCount(), 2u);
+  EXPECT_EQ(ids.slotOf(5), kNoSlot);
+  EXPECT_EQ(ids.idLimit(), 8u);
+}
+
 TEST(IdPool, ASnapshotWithFewerSitesThanItSaysIsNone) {
   // Three slots, of which one has a site; the other two are listed as free.
   std::vector<std::uint8_t> bytes(5 * 4);

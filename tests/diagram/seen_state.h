@@ -15,13 +15,11 @@
 
 namespace apollonius::test {
 
-/// Which of several identical circles is the visible one is not part of it.
 struct State {
   std::vector<SiteId> ids;
   Circles circles;
-  std::vector<std::pair<std::size_t, bool>>
-      hidden;  // a circle (its first position) and whether it is hidden; sorted
-  std::vector<std::array<std::size_t, 3>> faces;  // circles, the smallest first; sorted
+  std::vector<bool> hidden;
+  std::vector<std::array<SiteId, 3>> faces;  // the smallest id first; sorted
   std::string broken;
 
   explicit State(const Diagram& diagram) {
@@ -32,14 +30,12 @@ struct State {
       EXPECT_EQ(diagram.site(id, circle), Error::kNone);
       EXPECT_EQ(diagram.isHidden(id, isHidden), Error::kNone);
       circles.push_back(circle);
-      hidden.emplace_back(positionOf(id), isHidden);
+      hidden.push_back(isHidden);
     }
-    std::sort(hidden.begin(), hidden.end());
     std::vector<SiteId> corners;
     EXPECT_EQ(diagram.faces(corners), Error::kNone);
     for (std::size_t k = 0; k < corners.size(); k += 3) {
-      std::array<std::size_t, 3> face{positionOf(corners[k]), positionOf(corners[k + 1]),
-                                      positionOf(corners[k + 2])};
+      std::array<SiteId, 3> face{corners[k], corners[k + 1], corners[k + 2]};
       std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
       faces.push_back(face);
     }
@@ -57,16 +53,6 @@ struct State {
  private:
   static bool same(const Circle& a, const Circle& b) {
     return a.x == b.x && a.y == b.y && a.r == b.r;
-  }
-
-  /// The position in `circles` of the first circle that is identical to that of id.
-  [[nodiscard]] std::size_t positionOf(SiteId id) const {
-    if (id == kNoSite) return kNoSite;
-    const auto at =
-        static_cast<std::size_t>(std::lower_bound(ids.begin(), ids.end(), id) - ids.begin());
-    const auto first = std::find_if(circles.begin(), circles.end(),
-                                    [&](const Circle& c) { return same(c, circles[at]); });
-    return static_cast<std::size_t>(first - circles.begin());
   }
 };
 

@@ -97,10 +97,6 @@ class Checker {
     return legal(choices[bytes_.next() % 6]);
   }
 
-  static bool same(const Circle& a, const Circle& b) {
-    return a.x == b.x && a.y == b.y && a.r == b.r;
-  }
-
   std::vector<SiteId> sortedAt(double x, double y) const {
     std::vector<SiteId> ids;
     for (const auto& [id, circle] : circles_) ids.push_back(id);
@@ -116,12 +112,10 @@ class Checker {
     return oracleCompareDistance(x, y, circles_.at(id), {x, y, -distance}) <= 0;
   }
 
-  /// Are these the sites that are expected? Which of identical circles comes first is open.
   void expectSame(const std::vector<SiteId>& got, const std::vector<SiteId>& expected,
                   const char* what) const {
     expect(got.size() == expected.size(), what);
-    for (std::size_t k = 0; k < got.size(); ++k)
-      expect(same(circles_.at(got[k]), circles_.at(expected[k])), what);
+    for (std::size_t k = 0; k < got.size(); ++k) expect(got[k] == expected[k], what);
   }
 
   void checkAt(double x, double y) const {
@@ -163,10 +157,10 @@ class Checker {
 
   void checkPick(double x, double y, const std::vector<SiteId>& all) const {
     SiteId smallest = kNoSite, last = kNoSite;
-    for (const auto& [id, c] : circles_) {
-      if (!isWithin(id, x, y, 0)) continue;
-      last = id;
-      if (smallest == kNoSite || c.r <= circles_.at(smallest).r) smallest = id;
+    for (const SiteId id : all) {
+      if (!isWithin(id, x, y, 0)) break;
+      last = last == kNoSite ? id : std::max(id, last);
+      if (smallest == kNoSite || circles_.at(id).r < circles_.at(smallest).r) smallest = id;
     }
     SiteId id = kNoSite;
     take(diagram_.pick(x, y, kAnywhere, Top::kLast, id));
@@ -177,7 +171,7 @@ class Checker {
       return;
     }
     expect(all.empty() == (id == kNoSite), "pick");
-    if (!all.empty()) expect(same(circles_.at(id), circles_.at(all[0])), "pick, the nearest");
+    if (!all.empty()) expect(id == all[0], "pick, the nearest");
     take(diagram_.pick(x, y, 0, Top::kLast, id));
     expect(id == kNoSite, "pick, none");
   }

@@ -22,7 +22,7 @@ void expectSameCells(const Circles& circles, const Bounds& bounds, int run) {
     bool isHidden = false, isHiddenThere = false;
     ASSERT_EQ(forwards.isHidden(id, isHidden), Error::kNone);
     ASSERT_EQ(backwards.isHidden(there, isHiddenThere), Error::kNone);
-    if (isHidden != isHiddenThere) continue;  // of identical circles any may be the visible one
+    if (isHidden != isHiddenThere) continue;  // identical ones
     CurveArrays cell, cellThere;
     ASSERT_EQ(Voronoi(forwards, bounds).cellCurves(id, cell), Error::kNone);
     ASSERT_EQ(Voronoi(backwards, bounds).cellCurves(there, cellThere), Error::kNone);

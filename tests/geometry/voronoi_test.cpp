@@ -217,7 +217,7 @@ TEST(VoronoiDeterminism, CurvesHaveTheSameBitsAfterAnyHistory) {
             diagram.insert(circles[which].x, circles[which].y, circles[which].r, order[which]),
             Error::kNone);
       }
-      if (run == 1) {  // of identical circles any may be the visible one: those come first
+      if (run == 1) {  // of identical circles the last one is visible here: those come first
         for (SiteId& id : order) {
           bool hidden = false;
           ASSERT_EQ(diagram.isHidden(id, hidden), Error::kNone);

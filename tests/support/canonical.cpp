@@ -1,6 +1,7 @@
 #include "support/canonical.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <sstream>
 
@@ -102,6 +103,7 @@ Canonical canonicalForm(const Diagram& diagram, std::string& broken) {
                     "ids() not ascending");
 
   std::map<SiteId, Circle> circleOf;
+  std::map<std::array<double, 3>, SiteId> firstOf;  // of identical circles
   Circles visibleCircles;
   for (const SiteId id : ids) {
     Circle circle{};
@@ -111,6 +113,9 @@ Canonical canonicalForm(const Diagram& diagram, std::string& broken) {
     complaints.unless(diagram.isHidden(id, hidden) == Error::kNone, "isHidden() failed");
     circleOf[id] = circle;
     form.circles.push_back(circle);
+    const auto [first, isNew] = firstOf.try_emplace({circle.x, circle.y, circle.r}, id);
+    complaints.unless(hidden || isNew,
+                      "of identical circles, one that has not the least id is visible");
     if (!hidden) visibleCircles.push_back(circle);
   }
   complaints.unless(diagram.visibleSize() == visibleCircles.size(),

@@ -1,6 +1,7 @@
-// Random surfaces: sequences of starHole and replaceStar on random regions, with integers alone.
-// After each operation the graph must be a sphere (Graph::check), and must be what the operation
-// says: faces outside untouched, faces inside replaced, neighbours across the boundary as before.
+// Random surfaces: sequences of starHole, replaceStar and replaceVertex on random regions, with
+// integers alone. After each operation the graph must be a sphere (Graph::check), and must be what
+// the operation says: faces outside untouched, faces inside replaced, neighbours across the
+// boundary as before.
 #include <map>
 #include <random>
 #include <set>
@@ -23,7 +24,9 @@ class RandomSurface {
   }
 
   void step() {
-    if (dead_.empty() || (live_.size() > 2 && below(2) == 0)) {
+    if (!dead_.empty() && below(8) == 0) {
+      replace();
+    } else if (dead_.empty() || (live_.size() > 2 && below(2) == 0)) {
       unstar();
     } else {
       star();
@@ -144,6 +147,18 @@ class RandomSurface {
     bury(v);
     replaceStar(graph_, v, link, patch);
     EXPECT_FALSE(graph_.hasVertex(vertex(v)));
+  }
+
+  /// Puts a vertex in the place of another.
+  void replace() {
+    auto it = live_.begin();
+    std::advance(it, static_cast<std::ptrdiff_t>(below(live_.size())));
+    const std::uint32_t v = *it, w = takeDead();
+    expected_ = triplesOutside({});
+    for (Triple& face : expected_) std::replace(face.begin(), face.end(), v, w);
+    graph_.reserveVertices(w + std::size_t{1});
+    graph_.replaceVertex(vertex(v), vertex(w));
+    bury(v);
   }
 
   std::vector<Graph::PatchFace> randomPatch(const std::vector<HalfedgeId>& link) {

@@ -77,7 +77,12 @@ export class BruteForce {
   /** The circle on top of those that contain a point; else the nearest, if it is near; else -1. */
   pick(x, y, farthest, top) {
     const under = this.search(x, y, x, y);
-    if (top === "smallest") under.sort((a, b) => this.circles.get(b)[2] - this.circles.get(a)[2]);
+    if (top === "smallest") {
+      under.sort((one, other) => {
+        const [c, d] = [this.circles.get(one), this.circles.get(other)];
+        return d[2] - c[2] || compareAt(d, c, x, y) || other - one;
+      });
+    }
     const [nearest] = under.length > 0 ? [] : this.within(x, y, farthest);
     return under.at(-1) ?? this.ids.find((id) => this.circles.get(id) === nearest) ?? -1;
   }

@@ -45,8 +45,8 @@ export const asking = {
     [],
     (d, m) => {
       for (const id of m.ids) {
-        if (!m.isCandidate(id)) expect(d.isHidden(id)).toBe(true);
-        else expect(m.identicalTo(id).filter((same) => !d.isHidden(same)).length).toBe(1);
+        const isFirst = m.identicalTo(id)[0] === id;
+        expect(d.isHidden(id)).toBe(!m.isCandidate(id) || !isFirst);
       }
     },
   ],
@@ -156,10 +156,7 @@ export const asking = {
   pick: [
     [point, fc.constantFrom(0, 3, Infinity), fc.constantFrom("smallest", "last")],
     (d, m, [x, y], farthest, top) => {
-      const [id, expected] = [d.pick(x, y, farthest, { top }), m.pick(x, y, farthest, top)];
-      // of identical circles, the nearest one is any
-      if (id !== -1 && expected !== -1) expect(m.identicalTo(expected)).toContain(id);
-      else expect(id).toBe(expected);
+      expect(d.pick(x, y, farthest, { top })).toBe(m.pick(x, y, farthest, top));
     },
   ],
   pickMany: [

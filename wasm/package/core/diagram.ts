@@ -216,7 +216,7 @@ export class Diagram extends DynamicDiagram<ListedSite> {
   /**
    * The k nearest sites of a point, hidden ones too, nearest first; all sites if there are fewer.
    * `maxDistance` and `filter` leave some out. Exact; ties go to the larger r, then x, then y,
-   * identical circles come in any order. Cost: one location and O(m log m), m the number of
+   * identical circles ascend by id. Cost: one location and O(m log m), m the number of
    * neighbours of the sites looked at, whatever n is. Throws "not-finite", "out-of-range" (also for
    * a k that is no whole number from 0 on; Infinity means all), "bad-option".
    */
@@ -236,8 +236,8 @@ export class Diagram extends DynamicDiagram<ListedSite> {
 
   /**
    * The circle under a pointer. Of the circles that contain the point, rim included, it is the one
-   * on top: the smallest (of equal ones the last), or with `top: "last"` the one with the largest
-   * id. If none contains the point, it is the nearest site within `maxDistance` (default: Infinity;
+   * on top: the smallest (of equally large ones the nearest), or with `top: "last"` the one with the
+   * largest id. If none contains the point, it is the nearest site within `maxDistance` (default: Infinity;
    * 0 for none), else -1. `filter` leaves some out. Exact. Cost: one location and O(m log m), m the
    * number of neighbours of the circles that contain the point or are asked about. Throws
    * "not-finite", "out-of-range", "bad-option".

@@ -92,7 +92,10 @@ export abstract class DynamicDiagram<Listed> implements Disposable {
     return innerOf(this).native.ids();
   }
 
-  /** Whether the site's cell is empty, because some site covers it. O(1). Throws "unknown-site". */
+  /**
+   * Whether the site's cell is empty, because some site covers it. Of identical circles, the one
+   * with the least id is visible, whatever was inserted first. O(1). Throws "unknown-site".
+   */
   isHidden(id: number): boolean {
     return ofOne(innerOf(this).native, id, (native) => native.isHidden(id));
   }

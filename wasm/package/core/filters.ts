@@ -114,14 +114,14 @@ export interface Found {
 }
 
 /**
- * The first site of a walk that passes; with `isAbove`, of those that contain the point the one
- * above the others that do. null if none passes. Ends the walk.
+ * The first site of a walk that passes; with `isAbove`, of those that contain the point the first
+ * that no other is above. null if none passes. Ends the walk.
  */
 export function passing(
   walk: Walk,
   filter: NearbyFilter,
   filters: Filters,
-  isAbove?: (id: number, other: number) => boolean,
+  isAbove?: (id: number, best: number) => boolean,
 ): Found | null {
   return walking(walk, filters, () => {
     let best: Found | null = null;

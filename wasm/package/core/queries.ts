@@ -233,10 +233,9 @@ function pickThrough(
   filter: NearbyFilter,
 ): Found | null {
   const { native, filters } = inner;
-  return passing(walkFrom(inner, x, y, farthest), filter, filters, (id, other) => {
-    const less = top === "last" ? 0 : native.site(id).r - native.site(other).r;
-    return less === 0 ? id > other : less < 0;
-  });
+  return passing(walkFrom(inner, x, y, farthest), filter, filters, (id, best) =>
+    top === "last" ? id > best : native.site(id).r < native.site(best).r,
+  );
 }
 
 /** What `pick` says of each point; most are in no circle, and the nearest site is the answer. */

@@ -127,8 +127,7 @@ export interface FilterOptions {
    * falsy value is left out. Changing the diagram inside it throws "busy".
    *
    * Calls about many points ask it once a site, in any order. They cost a small multiple of a
-   * search for each point, or of building a diagram of all sites that pass, whichever is less; of
-   * identical circles they find any.
+   * search for each point, or of building a diagram of all sites that pass, whichever is less.
    */
   filter?: NearbyFilter | undefined;
 }
@@ -175,8 +174,8 @@ export type PickArguments =
 export interface PickOptions extends FilterOptions {
   /**
    * Which of several circles that contain the point is on top: "smallest" (default), where large
-   * circles are drawn first; "last", the one with the largest id, where all are drawn in that
-   * order.
+   * circles are drawn first (of equally large ones it is the nearest, as `find` has it); "last", the
+   * one with the largest id, where all are drawn in that order.
    */
   top?: "smallest" | "last" | undefined;
 }
