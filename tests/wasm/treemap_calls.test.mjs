@@ -153,8 +153,7 @@ describe("previous: which node is which", () => {
     const before = layout()(summed(nameless([1, 2, 3])));
     for (const sizes of [[1, 2, 3], [3, 2, 1], [5]]) {
       const root = summed(nameless(sizes));
-      const message =
-        "children of a node have neither id nor name, and other data than in previous: treemap()";
+      const message = "children of a node have neither id nor name, and other data: treemap().key";
       expectRefusal(() => layout().previous(before)(root), "bad-option", message);
       await expectRejection(() => layout().previous(before).async(root), "bad-option", message);
       expect(root.children[0].polygon).toBe(undefined);
@@ -184,7 +183,7 @@ describe("previous: which node is which", () => {
     const of = (...names) =>
       summed(hierarchy({ name: "all", children: names.map((name) => ({ name, size: 1 })) }));
     const message =
-      'children of node the string "all" have the same key twice, the string "a": treemap().key';
+      'children of node the string "all" have twice the key the string "a": treemap().key';
     const [twice, once] = [of("a", "b", "a"), of("a", "b", "c")];
     for (const root of [twice, once]) layout()(root);
     expectRefusal(() => layout().previous(twice)(once), "bad-option", message);
@@ -192,7 +191,7 @@ describe("previous: which node is which", () => {
     const none = layout()
       .previous(once)
       .key(() => undefined);
-    expectRefusal(() => none(of("a", "b")), "bad-option", "the same key twice, undefined");
+    expectRefusal(() => none(of("a", "b")), "bad-option", "have twice the key undefined");
     layout().previous(twice)(twice); // each with itself
   });
 });

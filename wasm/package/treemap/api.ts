@@ -1,9 +1,4 @@
 // What the entry `apollonius-diagram/treemap` exports, whichever way the wasm comes.
-
-export type { DrawOptions, PathContext } from "../core/path.js";
-export type { Bounds, Position, Site } from "../core/types.js";
-export type { GeoJSONRegion, Region, Ring } from "../shapes/region.js";
-export type { CellCircle } from "../shapes/types.js";
 export { treemap } from "./layout.js";
 export type {
   Disc,
@@ -14,3 +9,7 @@ export type {
   TreemapOptions,
   TreemapShape,
 } from "./types.js";
+export type { DrawOptions, PathContext } from "../core/path.js";
+export type { GeoJSONRegion, Region, Ring } from "../shapes/region.js";
+export type { CellCircle } from "../shapes/types.js";
+export type { Bounds, Position, Site } from "../core/types.js";

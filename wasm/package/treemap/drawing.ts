@@ -1,5 +1,5 @@
 // Drawing of outlines: conics as cubic Bezier curves.
-import { type DrawOptions, drawn, type PathContext } from "../core/path.js";
+import { drawn, type DrawOptions, type PathContext } from "../core/path.js";
 import { halved } from "../shapes/curves.js";
 import type { Outline } from "./outline.js";
 import type { Frame } from "./rings.js";

@@ -112,7 +112,7 @@ function matchChildren(before: Map<Input, Input>, node: Input, { key }: Settings
     gone.delete(own);
   }
   if (added !== undefined && [...gone.values()].some(isNameless))
-    throw unmatched(node, "have neither id nor name, and other data than in previous");
+    throw unmatched(node, "have neither id nor name, and other data");
 }
 
 /** Children by their keys; dates are compared by their time, as d3-array does. */
@@ -121,7 +121,7 @@ function byKey(node: Input, key: Settings["key"]): Map<unknown, Input> {
   for (const [index, child] of childrenOf(node).entries()) {
     const own = (key ?? usualKey)(child, index);
     const value = own instanceof Date ? own.getTime() : own;
-    if (found.has(value)) throw unmatched(node, `have the same key twice, ${described(own)}`);
+    if (found.has(value)) throw unmatched(node, `have twice the key ${described(own)}`);
     found.set(value, child);
   }
   return found;
@@ -130,7 +130,7 @@ function byKey(node: Input, key: Settings["key"]): Map<unknown, Input> {
 function unmatched(node: Input, why: string): ApolloniusError {
   return new ApolloniusError(
     "bad-option",
-    `children of ${nameOf(node)} ${why}: treemap().key(…) says what matches them`,
+    `children of ${nameOf(node)} ${why}: treemap().key(…) matches them with previous`,
   );
 }
 
