@@ -296,7 +296,7 @@ test.each([
         list[0] > 5e4 && left-- <= 0 ? fail() : Reflect.construct(target, list, made),
     });`,
   ],
-])("without memory for %s, the first use says so, and a later one works", (name, replace) => {
+])("without memory for %s, the first use says so, and a later one works", (_, replace) => {
   expect(
     runInNode(`
     ${kNoMemory}

@@ -54,7 +54,10 @@ test("a slice is 8 ms long, and the clock is looked at after each few items", as
   };
   try {
     let before = 1;
-    const x = (item) => (++reads, item.x);
+    const x = (item) => {
+      ++reads;
+      return item.x;
+    };
     await Diagram.fromAsync(items, x, (item) => item.y, {
       onProgress: () => {
         inSlices.push(looks - before);

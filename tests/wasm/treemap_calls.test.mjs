@@ -153,7 +153,7 @@ describe("previous: which node is which", () => {
     const before = layout()(summed(nameless([1, 2, 3])));
     for (const sizes of [[1, 2, 3], [3, 2, 1], [5]]) {
       const root = summed(nameless(sizes));
-      const message = "children of a node have neither id nor name, and other data: treemap().key";
+      const message = "children of a node have no names, and other data: treemap().key";
       expectRefusal(() => layout().previous(before)(root), "bad-option", message);
       await expectRejection(() => layout().previous(before).async(root), "bad-option", message);
       expect(root.children[0].polygon).toBe(undefined);
@@ -163,7 +163,7 @@ describe("previous: which node is which", () => {
       expect(deviationOf(byIndex)).toBeLessThan(1e-6);
     }
     const numbers = (...children) => hierarchy({ children }).sum((d) => (d > 0 ? d : 0));
-    const message = "have neither id nor name";
+    const message = "have no names";
     const old = layout()(numbers(1, 2));
     expectRefusal(() => layout().previous(old)(numbers(1, 3)), "bad-option", message);
   });
@@ -176,7 +176,7 @@ describe("previous: which node is which", () => {
       root = layout().previous(root)(next);
       expect(deviationOf(root)).toBeLessThan(1e-6);
     }
-    expect(() => layout().previous(root)(of(a, b, { size: 4 }))).toThrow("neither id nor name");
+    expect(() => layout().previous(root)(of(a, b, { size: 4 }))).toThrow("have no names");
   });
 
   test("siblings of one key are refused, on either side", () => {

@@ -65,7 +65,7 @@ export function wrongReceiver(receiver: unknown): ApolloniusError {
     `a method was called on ${described(receiver)}, expected a diagram or a Voronoi` +
       (isForeign
         ? ", no proxy, and not of another copy of the package (import and require make two): use " +
-          "one, or fromBytes(other.toBytes())"
-        : ": call it as diagram.find(x, y) or diagram.voronoi(bounds).cellArea(id)"),
+          "fromBytes(other.toBytes())"
+        : ": call it as diagram.find(x, y)"),
   );
 }

@@ -103,7 +103,7 @@ function matchChildren(before: Map<Input, Input>, node: Input, { key }: Settings
   }
   const gone = byKey(old, key);
   const isNameless = (child: Input) =>
-    key === null && typeof child.data !== "string" && usualKey(child) === child.data;
+    !key && typeof child.data !== "string" && usualKey(child) === child.data;
   let added: Input | undefined; // a nameless one
   for (const [own, child] of byKey(node, key)) {
     const match = gone.get(own);
@@ -112,7 +112,7 @@ function matchChildren(before: Map<Input, Input>, node: Input, { key }: Settings
     gone.delete(own);
   }
   if (added !== undefined && [...gone.values()].some(isNameless))
-    throw unmatched(node, "have neither id nor name, and other data");
+    throw unmatched(node, "have no names, and other data");
 }
 
 /** Children by their keys; dates are compared by their time, as d3-array does. */

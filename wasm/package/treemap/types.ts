@@ -28,6 +28,10 @@ export interface TreemapInput<Datum = unknown> {
   readonly value?: number | undefined;
   /** Of a tree made by `stratify`. */
   readonly id?: string | undefined;
+  /** How many levels it is below the root. */
+  readonly depth?: number | undefined;
+  /** How many levels are below it. */
+  readonly height?: number | undefined;
   /** Missing for leaves. */
   readonly children?: readonly TreemapInput<Datum>[] | undefined;
 }

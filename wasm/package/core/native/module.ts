@@ -338,8 +338,8 @@ export function notCompiled(cause: unknown): unknown {
   const why = cause instanceof Error ? cause.message : String(cause);
   return notLoaded(
     `WebAssembly cannot be compiled here (${why}). A content security policy has to have ` +
-      "script-src 'wasm-unsafe-eval'; where nothing may be compiled, import the .wasm and give " +
-      "that module to load() of apollonius-diagram/wasm",
+      "script-src 'wasm-unsafe-eval'; where nothing may be compiled, give load() of " +
+      "apollonius-diagram/wasm the module that importing the .wasm gives",
     cause,
   );
 }
