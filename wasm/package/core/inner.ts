@@ -66,6 +66,6 @@ export function wrongReceiver(receiver: unknown): ApolloniusError {
       (isForeign
         ? ", no proxy, and not of another copy of the package (import and require make two): use " +
           "fromBytes(other.toBytes())"
-        : ": call it as diagram.find(x, y)"),
+        : ": call it as diagram.find(x, y) or diagram.voronoi(bounds).cellArea(id)"),
   );
 }
