@@ -75,8 +75,9 @@ function errorsOf(name, snippets, options) {
     .filter((one) => !isImplicitAny(one))
     .map(({ file, start, messageText }) => {
       const line = file.getLineAndCharacterOfPosition(start).line;
+      const snippet = nameOf.get(path.normalize(file.fileName));
       const said = ts.flattenDiagnosticMessageText(messageText, " ");
-      return `${nameOf.get(path.normalize(file.fileName))}: ${file.text.split("\n")[line]}: ${said}`;
+      return `${snippet}: ${file.text.split("\n")[line]}: ${said}`;
     });
 }
 

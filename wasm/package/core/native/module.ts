@@ -183,8 +183,8 @@ type Exports = MainModule &
 /**
  * Throws a RangeError if little of the stack is left. Where it ends within Emscripten's own start,
  * or within Embind's registrations, these are left half done: a promise that nobody sees is
- * rejected, or V8 ends the process as it compiles a regular expression. After it, a RangeError is a lack of
- * memory.
+ * rejected, or V8 ends the process as it compiles a regular expression. After it, a RangeError is a
+ * lack of memory.
  */
 function expectStack(frames = 1000): void {
   if (frames > 0) expectStack(frames - 1);
