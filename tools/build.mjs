@@ -38,6 +38,8 @@ import { ensureBuildTools, main } from "./toolchain/setup.mjs";
 
 const sources = path.join(root, "wasm/package");
 const types = path.join(root, "build/types/wasm/package");
+const { name, version } = JSON.parse(readFileSync(path.join(root, "package.json"), "utf8"));
+const own = { name, version };
 const entries = ["index", "core", "shapes", "sphere", "treemap", "wasm"];
 const inner = ["embedded", "errors"];
 const edges = ["edge", "core_edge", "shapes_edge", "sphere_edge", "treemap_edge"];
@@ -78,6 +80,12 @@ function asString(bytes) {
   const characters = Array.from(bytes, (byte) => texts[byte]).join("");
   // A page may have the file between its script tags: none of those begins or ends in here.
   return { literal: `"${characters.replaceAll(/<(?=[!/])/g, "<\\")}"`, swaps: swaps.flat() };
+}
+
+/** A section of WebAssembly that says something and does nothing. */
+function sectionOf(name, content) {
+  const text = Buffer.from(`${String.fromCharCode(name.length)}${name}${content}`);
+  return Buffer.concat([Buffer.of(0, text.length), text]); // both less than 128
 }
 
 /** Stands for the text of a part of the wasm until all else is minified. */
@@ -210,6 +218,7 @@ async function bundle(fresh, built) {
       logLevel: "warning",
       legalComments: "none",
       write: false,
+      define: { VERSION: JSON.stringify(own.version) },
       plugins: [wasmAsText(built, texts), ...plugins],
     });
     return outputFiles[0].text;
@@ -289,12 +298,13 @@ async function makeDist(emscripten, built, dist, options) {
     for (const name of publicDeclarations())
       cpSync(path.join(types, name), path.join(fresh, format, name));
   // With the version: Observable Framework keeps bundles by it.
-  const { name, version } = JSON.parse(readFileSync(path.join(root, "package.json"), "utf8"));
-  const own = { name, version, type: "commonjs" };
-  writeFileSync(path.join(fresh, "cjs/package.json"), `${JSON.stringify(own)}\n`);
+  const ofFolder = { ...own, type: "commonjs" };
+  writeFileSync(path.join(fresh, "cjs/package.json"), `${JSON.stringify(ofFolder)}\n`);
   for (const part of parts) {
     const file = path.join(fresh, `${part}.wasm`);
-    copyFileSync(path.join(built, `parts/${part}.wasm`), file);
+    const bytes = readFileSync(path.join(built, `parts/${part}.wasm`));
+    const marked = [bytes, sectionOf(own.name, `${part} ${own.version}`)];
+    writeFileSync(file, Buffer.concat(marked));
     chmodSync(file, 0o644);
   }
   const map = path.join(built, "apollonius.wasm.map");

@@ -42,6 +42,25 @@ test("a diagram made while load is under way is not lost", () => {
   ).toBe("1 0 2");
 });
 
+test.each([
+  ["apollonius-diagram", 2],
+  ["apollonius-diagram/core", 1],
+  ["apollonius-diagram/shapes", 1],
+  ["apollonius-diagram/sphere", 2],
+  ["apollonius-diagram/treemap", 2],
+])("load of %s compiles its %i parts, once", (entry, count) => {
+  expect(
+    runInNode(`
+    let compiled = 0;
+    const { compile } = WebAssembly;
+    WebAssembly.compile = (bytes) => (++compiled, compile(bytes));
+    const { load } = await import("${entry}");
+    const result = await load();
+    await load();
+    console.log(result, compiled);`),
+  ).toBe(`undefined ${count}`);
+});
+
 test("import compiles nothing and is no promise", () => {
   expect(
     runScriptInNode(`
@@ -90,6 +109,39 @@ test.each([
     })()\`, { eval: true });
     worker.on("message", (id) => console.log(id));`),
   ).toBe("1");
+});
+
+test("objects of another copy, and proxies, are named; snapshots go to another copy", () => {
+  expect(
+    runInNode(`
+    import { createRequire } from "node:module";
+    import { Diagram } from "apollonius-diagram";
+    import { renderHull, voronoi } from "apollonius-diagram/shapes";
+    import { SphericalDiagram } from "apollonius-diagram/sphere";
+    const require = createRequire(process.cwd() + "/x.js");
+    const others = [
+      new (require("apollonius-diagram").Diagram)([0, 0, 1, 5, 5, 1]),
+      new (require("apollonius-diagram/sphere").SphericalDiagram)([0, 0, 1, 5, 5, 1]),
+    ];
+    const wrong = [...others, new Proxy(new Diagram(), {})];
+    const messageOf = (call) => {
+      try { call(); } catch (error) { return error.code + error.message; }
+    };
+    const uses = [
+      (it) => voronoi(it).cellAreas(), (it) => renderHull(it),
+      (it) => Diagram.prototype.find.call(it, 0, 0),
+      (it) => SphericalDiagram.prototype.find.call(it, 0, 0),
+    ];
+    for (const it of wrong)
+      console.log(uses.every((use) =>
+        /^bad-option.*no proxy, and not of another copy .*fromBytes\\(other\\.toBytes/.test(
+          messageOf(() => use(it)))));
+    const own = messageOf(() => voronoi(new SphericalDiagram()));
+    const none = messageOf(() => voronoi({}));
+    console.log(/another copy/.test(own + none), own === none);
+    console.log(Diagram.fromBytes(others[0].toBytes()).size, Diagram.from(others[0]).size,
+      SphericalDiagram.fromBytes(others[1].toBytes()).size);`).split("\n"),
+  ).toEqual(["true", "true", "true", "false true", "2 2 2"]);
 });
 
 test("two copies of the package in one process do not disturb each other", () => {
@@ -171,7 +223,22 @@ test.each([
   [
     "what has only the beginning of wasm",
     "Uint8Array.of(0, 0x61, 0x73, 0x6d, 1, 0, 0, 0, 77)",
-    /^not-loaded WebAssembly cannot be compiled here/,
+    /^not-loaded core is cut off or damaged: /,
+  ],
+  [
+    "a file that was cut off",
+    `${bytes}.subarray(0, 50_000)`,
+    /^not-loaded core is cut off or damaged: /,
+  ],
+  [
+    "a promise of a response that there is not",
+    "Promise.reject(new TypeError('offline'))",
+    /^not-loaded the response for core cannot be fetched$/,
+  ],
+  [
+    "a response that ends early",
+    "new Response(new ReadableStream({ pull: (to) => to.error(new TypeError('lost')) }))",
+    /^not-loaded the response ended early$/,
   ],
   [
     "a page that says it is wasm",
@@ -182,6 +249,7 @@ test.each([
 ])("the entry with a separate .wasm refuses %s", (_, source, expected) => {
   expect(
     runInNode(`
+    import { readFileSync } from "node:fs";
     import { ApolloniusError, load } from "apollonius-diagram/wasm";
     await load({ core: ${source} }).catch((error) =>
       console.log(error instanceof ApolloniusError && error.code, error.message));`),
@@ -208,16 +276,87 @@ test("where nothing may be compiled, the error says what to do; later, it works"
   ).toEqual([...Array(3).fill("true not-loaded CompileError true"), "1"]);
 });
 
-test("no memory to begin with is a lack of memory", () => {
+// What a lack of memory makes fail: the program says how many calls go well before one throws.
+const kNoMemory = `
+  let left = Infinity;
+  const fail = () => { throw new RangeError("could not allocate memory"); };
+  const failing = (make) => new Proxy(make, {
+    construct: (target, list) => (left-- > 0 ? Reflect.construct(target, list) : fail()),
+    apply: (target, self, list) => (left-- > 0 ? Reflect.apply(target, self, list) : fail()),
+  });
+  const codeOf = async (call) => {
+    try { await call(); } catch (error) { return error.code ?? String(error); }
+    return "none";
+  };`;
+test.each([
+  ["Instance", "WebAssembly.Instance = failing(WebAssembly.Instance);"],
+  ["Module", "WebAssembly.Module = failing(WebAssembly.Module);"],
+  // Only the text of a part is as long.
+  [
+    "Uint8Array",
+    `globalThis.Uint8Array = new Proxy(Uint8Array, {
+      construct: (target, list, made) =>
+        list[0] > 5e4 && left-- <= 0 ? fail() : Reflect.construct(target, list, made),
+    });`,
+  ],
+])("without memory for %s, the first use says so, and a later one works", (_, replace) => {
   expect(
     runInNode(`
-    const { Instance } = WebAssembly;
-    WebAssembly.Instance = new Proxy(Instance, {
-      construct() { throw new RangeError("could not allocate memory"); },
-    });
+    ${kNoMemory}
+    ${replace}
     const { Diagram } = await import("apollonius-diagram");
-    try { new Diagram(); } catch (error) { console.log(error.code); }`),
-  ).toBe("out-of-memory");
+    const { SphericalDiagram } = await import("apollonius-diagram/sphere");
+    const found = [];
+    left = 0;
+    found.push(await codeOf(() => new Diagram()));
+    left = Infinity;
+    const d = new Diagram([0, 0, 1, 9, 0, 2]);
+    for (const use of [() => d.voronoi().render(), () => new SphericalDiagram()]) {
+      left = 0;
+      found.push(await codeOf(use), d.find(8, 0));
+      left = Infinity;
+      found.push(await codeOf(use));
+    }
+    console.log(found.join(" "), d.validate());`),
+  ).toBe(`out-of-memory ${"out-of-memory 1 none ".repeat(2)}null`);
+});
+
+test.each([
+  ["Instance", "WebAssembly.Instance = failing(WebAssembly.Instance);"],
+  ["compile", "WebAssembly.compile = failing(WebAssembly.compile);"],
+])("without memory for %s, load says so, and a later one works", (_, replace) => {
+  expect(
+    runInNode(`
+    import { readFileSync } from "node:fs";
+    ${kNoMemory}
+    ${replace}
+    for (const [entry, sources] of [
+      ["apollonius-diagram"],
+      ["apollonius-diagram/wasm", { ${partsOf(["core"])} }],
+    ]) {
+      const { load } = await import(entry);
+      left = 0;
+      console.log(await codeOf(() => load(sources)));
+      left = Infinity;
+    }
+    const { Diagram, load } = await import("apollonius-diagram");
+    await load();
+    console.log(new Diagram([0, 0, 1]).find(0, 0));`).split("\n"),
+  ).toEqual(["out-of-memory", "out-of-memory", "0"]);
+});
+
+test("at the end of the stack, the first use is no lack of memory", () => {
+  expect(
+    runInNode(`
+    const { Diagram } = await import("apollonius-diagram");
+    const seen = new Set();
+    const use = () => {
+      try { use(); } catch (error) { seen.add(error.code ?? error.name); }
+      new Diagram();
+    };
+    try { use(); } catch (error) { seen.add(error.code ?? error.name); }
+    console.log([...seen].join(), new Diagram([0, 0, 1]).find(0, 0));`),
+  ).toBe("RangeError 0");
 });
 
 test("types: ES modules, CommonJS, NodeNext and Bundler resolution, old and new libraries", () => {
@@ -249,6 +388,99 @@ test("the entry with separate files has all names, and takes parts one by one", 
     "1",
     "2",
   ]);
+});
+
+const kOrders = [
+  ["core", "shapes", "sphere"],
+  ["core", "sphere", "shapes"],
+  ["shapes", "core", "sphere"],
+  ["shapes", "sphere", "core"],
+  ["sphere", "core", "shapes"],
+  ["sphere", "shapes", "core"],
+];
+test.each(kOrders)("parts may be given in any order: %s, %s, %s", (...order) => {
+  const ways = {
+    "as bytes": (sources) => sources,
+    "as modules": (sources) =>
+      sources.map((one) => one.replace(/: (.*)/, ": new WebAssembly.Module($1)")),
+  };
+  for (const way of Object.values(ways)) {
+    const given = way(partsOf(order)).map((source) => `{ ${source} }`);
+    const use = (loading) => `
+      import { readFileSync } from "node:fs";
+      import { Diagram, SphericalDiagram, load } from "apollonius-diagram/wasm";
+      const there = new Set();
+      const attempt = (parts, call) => {
+        const missing = parts.find((part) => !there.has(part));
+        try {
+          call();
+          if (missing) console.log("done without", missing);
+        } catch (error) {
+          if (!missing || !error.message.includes(\`load({ \${missing}: … })\`)) console.log(error);
+        }
+      };
+      const attempts = () => {
+        attempt(["core"], () => new Diagram([0, 0, 1]).find(0, 0));
+        attempt(["core", "shapes"], () => new Diagram([0, 0, 1]).voronoi().cellAreas());
+        attempt(["core", "sphere"], () => new SphericalDiagram([0, 0, 1]).find(0, 0));
+      };
+      ${loading}`;
+    const one = (source, k) => `await load(${source}); there.add("${order[k]}"); attempts();`;
+    expect(runInNode(use(`attempts(); ${given.map(one).join("\n")}`))).toBe("");
+    const all = `await Promise.all([${given.map((source) => `load(${source})`)}]);`;
+    const added = order.map((part) => `there.add("${part}");`).join("");
+    expect(runInNode(use(`${all} ${added} attempts();`))).toBe("");
+  }
+});
+
+test.each(["core", "shapes", "sphere"])("another file than that of %s is named", (part) => {
+  const file = (name) => `readFileSync("node_modules/apollonius-diagram/dist/${name}.wasm")`;
+  const others = ["core", "shapes", "sphere"].filter((other) => other !== part);
+  const own = new RegExp(
+    `^not-loaded ${part} is given WebAssembly (.*), expected ${part} [\\d.]+, the`,
+  );
+  // an empty module; and one of a version that there is not
+  const none = "Uint8Array.of(0, 0x61, 0x73, 0x6d, 1, 0, 0, 0)";
+  const text = `${file(part)}.toString("latin1").replace(/ [\\d.]+$/, " 0.1.0")`;
+  const old = `Buffer.from(${text}, "latin1")`;
+  const givens = [
+    ...others.map(file),
+    old,
+    none,
+    `Uint8Array.of(...${none}, 2, 8, 1, 1, 97, 1, 98, 3, 126, 0)`,
+  ];
+  const output = runInNode(`
+    import { readFileSync } from "node:fs";
+    import { Diagram, SphericalDiagram, load } from "apollonius-diagram/wasm";
+    for (const given of [${givens}])
+      for (const source of [given, new WebAssembly.Module(given)])
+        await load({ ${part}: source }).catch(({ code, message }) => console.log(code, message));
+    await load({ ${partsOf(["core", "shapes", "sphere"])} });
+    const globe = new SphericalDiagram([0, 0, 1]);
+    console.log(new Diagram([0, 0, 1]).voronoi().cellAreas().length, globe.size);`);
+  const said = output
+    .split("\n")
+    .map((line) => own.exec(line)?.[1].replace(/[\d.]+$/, "version") ?? line);
+  const names = [...others, part].map((name) => `${name} version`);
+  expect(said).toEqual([
+    ...[...names, "of something else", "of something else"].flatMap((one) => [one, one]),
+    "1 1",
+  ]);
+});
+
+test("parts without their section, as tools leave them that make modules smaller, load", () => {
+  const stripped = (part) =>
+    `${part}: without(readFileSync("node_modules/apollonius-diagram/dist/${part}.wasm"))`;
+  expect(
+    runInNode(`
+    import { readFileSync } from "node:fs";
+    import { Diagram, SphericalDiagram, load } from "apollonius-diagram/wasm";
+    const mark = "apollonius-diagram";
+    const without = (bytes) => bytes.subarray(0, bytes.lastIndexOf(mark) - 3);
+    await load({ ${["core", "shapes", "sphere"].map(stripped)} });
+    ${use}
+    ${useAll}`).split("\n"),
+  ).toEqual(["1 2", "1", "2"]);
 });
 
 test.each([

@@ -39,6 +39,39 @@ test("the same diagram as from, with the event loop's turns and progress between
   expect(diagram.size).toBe(items.length + 1);
 });
 
+// A clock on which each look takes a millisecond: between two turns there are as many looks as a
+// slice has milliseconds, and between two looks a portion of the work.
+test("a slice is 8 ms long, and the clock is looked at after each few items", async () => {
+  const { now } = performance;
+  let looks = 0;
+  let reads = 0;
+  const inSlices = [];
+  const inPortions = [];
+  performance.now = () => {
+    inPortions.push(reads);
+    reads = 0;
+    return ++looks;
+  };
+  try {
+    let before = 1;
+    const x = (item) => {
+      ++reads;
+      return item.x;
+    };
+    await Diagram.fromAsync(items, x, (item) => item.y, {
+      onProgress: () => {
+        inSlices.push(looks - before);
+        before = looks + 1; // that of the next slice's beginning
+      },
+    });
+  } finally {
+    performance.now = now;
+  }
+  expect(Math.max(...inSlices)).toBe(9);
+  expect(inSlices.length).toBeGreaterThan(items.length / 256 / 8);
+  expect(Math.max(...inPortions)).toBe(256);
+});
+
 test("accessors, iterables, options and small sets", async () => {
   const built = async (...of) => graph(await Diagram.fromAsync(...of));
   const few = items.slice(0, 100);

@@ -3,9 +3,9 @@ import { execFileSync } from "node:child_process";
 import { mkdirSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { hierarchy } from "d3-hierarchy";
-import { root as repository } from "../../tools/toolchain/folders.mjs";
 import * as consumer from "../../build/packed/consumer.mjs";
 import * as entry from "../../build/packed/treemap.mjs";
+import { root as repository } from "../../tools/toolchain/folders.mjs";
 import { packed } from "./support/install_packed.mjs";
 import { generator } from "./support/random.mjs";
 import { expectRefusal, expectRejection } from "./support/refusal.mjs";
@@ -71,6 +71,129 @@ test("previous: the same root, other values; children that come and go; another 
     .previous(root)
     .key((_, k) => `other ${k}`)(rootOf(flare));
   expect(deviationOf(wholly)).toBeLessThan(1e-6);
+});
+
+describe("previous: which node is which", () => {
+  const rows = Array.from({ length: 20 }, (_, k) => ({ key: `key ${k}`, v: 10 + ((k * 37) % 23) }));
+  const later = (k) => 0.75 + ((k * 29) % 50) / 100;
+  const sorted = (root) => root.sort((a, b) => b.value - a.value);
+  const layout = () => treemap().shape(box);
+  /** The leaves' centroids by what names them. */
+  const placesOf = (root, nameOf) =>
+    new Map(root.leaves().map((leaf) => [nameOf(leaf), leaf.centroid]));
+  /** Trees of the same leaves before and after, in another order, and what names a leaf in both. */
+  const rollupOf = (keyOf) => (factor) => {
+    const sums = new Map(rows.map(({ v }, k) => [keyOf(k), v * factor(k)]));
+    return sorted(hierarchy(sums).sum(([, v]) => (typeof v === "number" ? v : 0)));
+  };
+  /** Maps as d3.group makes them. */
+  const groupsOf = (list, keyOf) => {
+    const groups = new Map();
+    for (const one of list) groups.set(keyOf(one), [...(groups.get(keyOf(one)) ?? []), one]);
+    return groups;
+  };
+  const month = (k) => new Date(Date.UTC(2000, k));
+  const cases = {
+    "d3.rollup": [rollupOf((k) => `key ${k}`), ({ data }) => data[0]],
+    "d3.rollup by numbers and by nothing": [rollupOf((k) => k || undefined), ({ data }) => data[0]],
+    "d3.rollup by dates": [rollupOf(month), ({ data }) => Number(data[0])],
+    "d3.group of the same rows": [
+      (factor) => {
+        const groups = groupsOf(rows, ({ v }) => v % 3);
+        const factors = new Map(rows.map((row, k) => [row, row.v * factor(k)]));
+        return sorted(hierarchy(groups).sum((data) => factors.get(data) ?? 0));
+      },
+      ({ data }) => data,
+    ],
+    "d3.group of names": [
+      (factor) => {
+        const names = rows.map(({ key }) => key);
+        const groups = groupsOf(names, (key) => key.length);
+        const factors = new Map(rows.map(({ key, v }, k) => [key, v * factor(k)]));
+        return sorted(hierarchy(groups).sum((data) => factors.get(data) ?? 0));
+      },
+      ({ data }) => data,
+    ],
+    "the same tree, sorted again, of data without names": [
+      (() => {
+        const root = hierarchy({ children: rows.map(({ v }) => v) });
+        const numbers = new Map(root.leaves().map((leaf, k) => [leaf, k]));
+        return (factor) => {
+          root.leaves().forEach((leaf) => {
+            leaf.weight = leaf.data * factor(numbers.get(leaf));
+          });
+          root.eachAfter((node) => {
+            node.value = node.weight ?? node.children.reduce((sum, { value }) => sum + value, 0);
+          });
+          return sorted(root);
+        };
+      })(),
+      (leaf) => leaf,
+    ],
+  };
+
+  test.each(Object.keys(cases))("%s", (name) => {
+    const [tree, nameOf] = cases[name];
+    const first = layout()(tree(() => 1));
+    const before = placesOf(first, nameOf);
+    const second = layout().previous(first)(tree(later));
+    expect(deviationOf(second)).toBeLessThan(1e-6);
+    const ways = Array.from(placesOf(second, nameOf), ([own, [x, y]]) => {
+      const [oldX, oldY] = before.get(own);
+      return Math.hypot(x - oldX, y - oldY);
+    }).sort((a, b) => a - b);
+    expect(ways.length).toBe(rows.length);
+    expect(ways[10]).toBeLessThan(30); // 138 by their places in the order
+  });
+
+  const nameless = (sizes) => hierarchy({ children: sizes.map((size) => ({ size })) });
+  const summed = (root) => root.sum(({ size = 0 }) => size);
+
+  test("what cannot be told is refused, and nodes stay as they are", async () => {
+    const before = layout()(summed(nameless([1, 2, 3])));
+    for (const sizes of [[1, 2, 3], [3, 2, 1], [5]]) {
+      const root = summed(nameless(sizes));
+      const message = "children of a node have no names, and other data: treemap().key";
+      expectRefusal(() => layout().previous(before)(root), "bad-option", message);
+      await expectRejection(() => layout().previous(before).async(root), "bad-option", message);
+      expect(root.children[0].polygon).toBe(undefined);
+      const byIndex = layout()
+        .previous(before)
+        .key((_, index) => index)(root);
+      expect(deviationOf(byIndex)).toBeLessThan(1e-6);
+    }
+    const numbers = (...children) => hierarchy({ children }).sum((d) => (d > 0 ? d : 0));
+    const message = "have no names";
+    const old = layout()(numbers(1, 2));
+    expectRefusal(() => layout().previous(old)(numbers(1, 3)), "bad-option", message);
+  });
+
+  test("those without names may come, or may go", () => {
+    const [a, b, c] = [{ size: 1 }, { size: 2 }, { size: 3 }];
+    const of = (...children) => summed(hierarchy({ children }));
+    let root = layout()(of(a, b));
+    for (const next of [of(c, b, a), of(c), of(b, a, c)]) {
+      root = layout().previous(root)(next);
+      expect(deviationOf(root)).toBeLessThan(1e-6);
+    }
+    expect(() => layout().previous(root)(of(a, b, { size: 4 }))).toThrow("have no names");
+  });
+
+  test("siblings of one key are refused, on either side", () => {
+    const of = (...names) =>
+      summed(hierarchy({ name: "all", children: names.map((name) => ({ name, size: 1 })) }));
+    const message =
+      'children of node the string "all" have twice the key the string "a": treemap().key';
+    const [twice, once] = [of("a", "b", "a"), of("a", "b", "c")];
+    for (const root of [twice, once]) layout()(root);
+    expectRefusal(() => layout().previous(twice)(once), "bad-option", message);
+    expectRefusal(() => layout().previous(once)(twice), "bad-option", message);
+    const none = layout()
+      .previous(once)
+      .key(() => undefined);
+    expectRefusal(() => none(of("a", "b")), "bad-option", "have twice the key undefined");
+    layout().previous(twice)(twice); // each with itself
+  });
 });
 
 test("async: the same bits, with turns of the event loop; progress from 0 to 1", async () => {

@@ -40,6 +40,9 @@ export interface WasmSources {
   sphere?: WasmSource;
 }
 
+/** Of this package (tools/build.mjs). */
+declare const VERSION: string;
+
 /**
  * What it is, whichever realm it comes from: sandboxes as Next's for edge functions compile the
  * module outside.
@@ -50,10 +53,10 @@ const isModule = (source: unknown): source is WebAssembly.Module =>
 const isResponse = (source: unknown): source is Response => kindOf(source) === "Response";
 
 async function compiled(part: Part, source: WasmSource): Promise<WebAssembly.Module> {
+  await null; // the end of the caller's stack may be near
   if (kindOf(source) === "ArrayBuffer" || ArrayBuffer.isView(source))
     return compiledBytes(part, source as BufferSource, part);
-  const isAddress = typeof source === "string" || kindOf(source) === "URL";
-  const response = await (isAddress ? fetched(source as string | URL) : source);
+  const response = await received(part, source);
   if (!isResponse(response)) {
     throw new ApolloniusError(
       "bad-option",
@@ -68,11 +71,14 @@ async function compiled(part: Part, source: WasmSource): Promise<WebAssembly.Mod
     if (type?.startsWith("application/wasm")) return await WebAssembly.compileStreaming(response);
   } catch {} // of other bytes: these are looked at below
   const name = (response.url || "the response") + (type === null ? "" : ` (${type})`);
-  return compiledBytes(part, await copy.arrayBuffer(), name);
+  const bytes = await copy.arrayBuffer().catch((cause: unknown) => {
+    throw cause instanceof RangeError ? cause : notLoaded(`${name} ended early`, cause);
+  });
+  return compiledBytes(part, bytes, name);
 }
 
 /** Compiles bytes; throws "not-loaded", with the first of them, if they are something else. */
-function compiledBytes(
+async function compiledBytes(
   part: Part,
   source: BufferSource,
   name: string,
@@ -88,19 +94,48 @@ function compiledBytes(
         `${part}.wasm of this package; many servers answer a missing file with an HTML page`,
     );
   }
-  return WebAssembly.compile(source);
+  try {
+    return await WebAssembly.compile(source);
+  } catch (cause) {
+    // Policies forbid to compile, and not to validate.
+    if (cause instanceof RangeError || WebAssembly.validate(source)) throw cause;
+    throw notLoaded(`${name} is cut off or damaged: ${(cause as Error).message}`, cause);
+  }
+}
+
+/** Says in a part, as "core 1.0.0", what it is (tools/build.mjs). */
+const kSection = "apollonius-diagram";
+
+/** Throws "not-loaded" unless the module is this part, of this version. */
+function checkPart(part: Part, module: WebAssembly.Module): void {
+  const { Module } = WebAssembly;
+  const expected = `${part} ${VERSION}`;
+  const [section] = Module.customSections(module, kSection);
+  if (section === undefined) {
+    // Tools that make modules smaller may have taken it out.
+    const from = Module.imports(module)[0]?.module;
+    if (from === (part === "core" ? "env" : "core")) return;
+  }
+  const given = section === undefined ? "of something else" : new TextDecoder().decode(section);
+  if (given === expected) return;
+  throw notLoaded(
+    `${part} is given WebAssembly ${given}, expected ${expected}, the file ${part}.wasm`,
+  );
 }
 
 /** What all WebAssembly begins with: NUL, "asm". */
 const kMagic = [0, 0x61, 0x73, 0x6d];
 
-async function fetched(address: string | URL): Promise<Response> {
+/** The response from an address, or that which is given or promised. */
+async function received(part: Part, source: WasmSource): Promise<unknown> {
+  const isAddress = typeof source === "string" || kindOf(source) === "URL";
   try {
-    return await fetch(address);
+    return await (isAddress ? fetch(source as string | URL) : source);
   } catch (cause) {
-    const isFile = String(address).startsWith("file:");
+    const isFile = String(source).startsWith("file:");
     const hint = isFile ? ": of a file give the bytes, await readFile(new URL(…))" : "";
-    throw notLoaded(`${address} cannot be fetched${hint}`, cause);
+    const name = isAddress ? String(source) : `the response for ${part}`;
+    throw notLoaded(`${name} cannot be fetched${hint}`, cause);
   }
 }
 
@@ -110,20 +145,21 @@ const loaded = new Set<Part>();
 async function loadPart(part: Part, source: WasmSource): Promise<void> {
   try {
     const module = isModule(source) ? source : await compiled(part, source);
+    checkPart(part, module);
     // A module that is given starts with its first use, as nothing was to be waited for.
     if (part === "core" && module !== source) start(module);
     setSource(part, () => module);
     loaded.add(part);
   } catch (error) {
-    throw error instanceof ApolloniusError ? error : notCompiled(error);
+    throw notCompiled(error);
   }
 }
 
 /**
- * Compiles the parts that are wanted; to be awaited before the first call that needs them. What is
- * there already is not loaded again. Throws "not-loaded" (no answer from an address, or what it
- * gives cannot be compiled, or nothing can), "bad-option" (an unknown part, or none of the
- * sources).
+ * Compiles the parts that are wanted, in any order; to be awaited before the first call that needs
+ * them. What is there already is not loaded again. Throws "not-loaded" (no answer from an address,
+ * or what it gives is another file or of another version, or nothing can be compiled),
+ * "out-of-memory", "bad-option" (an unknown part, or none of the sources).
  */
 export async function load(sources: WasmSources): Promise<void> {
   if (kindOf(sources) !== "Object")

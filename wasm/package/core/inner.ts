@@ -54,11 +54,18 @@ export function nativeOf(diagram: unknown, changes = false): NativeDiagram {
   return planarOf(diagram, changes).native;
 }
 
-/** The error of a method that was taken off its object, or called on another. */
+/**
+ * The error of a method that was taken off its object, or called on another, or on one of another
+ * copy of the package.
+ */
 export function wrongReceiver(receiver: unknown): ApolloniusError {
+  const isForeign = !access(receiver) && /Diagram]$/.test(Object.prototype.toString.call(receiver));
   return new ApolloniusError(
     "bad-option",
-    `a method was called on ${described(receiver)}, expected a diagram or a Voronoi: call it as ` +
-      "diagram.find(x, y) or diagram.voronoi(bounds).cellArea(id)",
+    `a method was called on ${described(receiver)}, expected a diagram or a Voronoi` +
+      (isForeign
+        ? ", no proxy, and not of another copy of the package (import and require make two): use " +
+          "fromBytes(other.toBytes())"
+        : ": call it as diagram.find(x, y) or diagram.voronoi(bounds).cellArea(id)"),
   );
 }

@@ -1,6 +1,6 @@
 // Curves in numbers: places and directions on the rational quadratic curves of `edgeCurves` and
 // `cellCurves`.
-import { described } from "../core/arguments.js";
+import { described, isArrayLike } from "../core/arguments.js";
 import { ApolloniusError } from "../errors.js";
 
 /** Numbers of a curve: from, control point, weight, to. */
@@ -9,7 +9,7 @@ export const kOfCurve = 7;
 /**
  * The point of curve `k` at a parameter from 0 (its start) to 1. Along a straight segment (w = 0),
  * as along any curve, the parameter does not run evenly. Throws "out-of-range" if there is no such
- * curve.
+ * curve, "bad-length" if `curves` is no array, as what `cellCurves` returns: its `curves` are one.
  */
 export function curvePoint(
   curves: ArrayLike<number>,
@@ -82,6 +82,11 @@ export function halved(
 type Seven = [x0: number, y0: number, x1: number, y1: number, w: number, x2: number, y2: number];
 
 export function sevenOf(curves: ArrayLike<number>, k: number): Seven {
+  if (!isArrayLike(curves))
+    throw new ApolloniusError(
+      "bad-length",
+      `curves is ${described(curves)}, expected an array, as \`curves\` of cellCurves is`,
+    );
   const count = Math.floor(curves.length / kOfCurve);
   if (!(Number.isInteger(k) && k >= 0 && k < count))
     throw new ApolloniusError(

@@ -184,7 +184,7 @@ export class SphericalDiagram extends DynamicDiagram<ListedSphericalSite> {
   }
 
   /**
-   * The same diagram as `from`'s, built in slices of some milliseconds on this thread, between
+   * The same diagram as `from`'s, built in slices of some 8 ms on this thread, between
    * which pages answer and timers run. Rejects as `from` throws; with the reason of
    * `options.signal` once that aborts; with what accessors or `onProgress` throw; then there is no
    * diagram. Cost: about that of `from`.

@@ -1,5 +1,6 @@
 // The cells of a whole tree: groups of siblings, one after the other, each in the cell of its
 // parent.
+import { described } from "../core/arguments.js";
 import { Diagram } from "../core/diagram.js";
 import { ApolloniusError } from "../errors.js";
 import { voronoi } from "../shapes/functions.js";
@@ -56,7 +57,7 @@ export function* layOut(
     ++which;
     const own = cells.get(node);
     if (own === undefined) continue; // below a node without a value
-    matchChildren(before, node, children, settings);
+    matchChildren(before, node, settings);
     const targets = Float64Array.from(children, (child) => values.get(child)!);
     const group = { children, targets, random: randomOf(settings.seed, which) };
     const share = children.length / all;
@@ -89,22 +90,48 @@ function levelsOf(
   return Math.max(1, last); // of the root
 }
 
-/** Notes which nodes of the previous layout the children of a node are. */
-function matchChildren(
-  before: Map<Input, Input>,
-  node: Input,
-  children: readonly Input[],
-  { key }: Settings,
-): void {
+/**
+ * Notes which nodes of the previous layout the children of a node are. Throws "bad-option" where
+ * their keys do not tell.
+ */
+function matchChildren(before: Map<Input, Input>, node: Input, { key }: Settings): void {
   const old = before.get(node);
   if (old === undefined) return;
-  const keyOf = key ?? usualKey;
-  const byKey = new Map(childrenOf(old).map((child, k) => [keyOf(child, k), child]));
-  const all = childrenOf(node);
-  for (const child of children) {
-    const match = byKey.get(keyOf(child, all.indexOf(child)));
-    if (match !== undefined) before.set(child, match);
+  if (old === node) {
+    for (const child of childrenOf(node)) before.set(child, child);
+    return;
   }
+  const gone = byKey(old, key);
+  const isNameless = (child: Input) =>
+    !key && typeof child.data !== "string" && usualKey(child) === child.data;
+  let added: Input | undefined; // a nameless one
+  for (const [own, child] of byKey(node, key)) {
+    const match = gone.get(own);
+    if (match !== undefined) before.set(child, match);
+    else if (isNameless(child)) added = child;
+    gone.delete(own);
+  }
+  if (added !== undefined && [...gone.values()].some(isNameless))
+    throw unmatched(node, "have no names, and other data");
+}
+
+/** Children by their keys; dates are compared by their time, as d3-array does. */
+function byKey(node: Input, key: Settings["key"]): Map<unknown, Input> {
+  const found = new Map<unknown, Input>();
+  for (const [index, child] of childrenOf(node).entries()) {
+    const own = (key ?? usualKey)(child, index);
+    const value = own instanceof Date ? own.getTime() : own;
+    if (found.has(value)) throw unmatched(node, `have twice the key ${described(own)}`);
+    found.set(value, child);
+  }
+  return found;
+}
+
+function unmatched(node: Input, why: string): ApolloniusError {
+  return new ApolloniusError(
+    "bad-option",
+    `children of ${nameOf(node)} ${why}: treemap().key(…) matches them with previous`,
+  );
 }
 
 function* fill(

@@ -161,7 +161,8 @@ function checkSetting(name: keyof Settings, value: unknown): void {
  *     treemap().shape([0, 0, 800, 600])(root);
  *     for (const leaf of root.leaves()) leaf.render(context);
  */
-export function treemap<Datum = unknown>(): Treemap<Datum> {
+// biome-ignore lint/suspicious/noExplicitAny: JavaScript has no words for the type of data
+export function treemap<Datum = any>(): Treemap<Datum> {
   const settings: Settings = {
     shape: [0, 0, 1, 1],
     value: null,

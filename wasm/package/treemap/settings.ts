@@ -36,16 +36,20 @@ export function nodesOf(root: Input): Input[] {
   return nodes;
 }
 
-/** For messages: its id or name, and its value. */
+/** For messages: its usual key, if that is not only an object. */
 export function nameOf(node: Input): string {
-  const key = usualKey(node, -1);
-  return key === -1 ? "a node" : `node ${described(key)}`;
+  const key = usualKey(node);
+  return typeof key === "object" || key === undefined ? "a node" : `node ${described(key)}`;
 }
 
-/** What identifies a node among its siblings, if nobody says something else. */
-export function usualKey(node: Input, index: number): unknown {
-  const { id, name } = (node.data ?? {}) as { id?: unknown; name?: unknown };
-  return node.id ?? id ?? name ?? index;
+/**
+ * Identifies a node among its siblings, if nobody says something else: its name, which in the trees
+ * of d3.group and d3.rollup is the first of a pair, or its datum itself.
+ */
+export function usualKey({ id, data }: Input): unknown {
+  const { id: ownId, name } = (data ?? {}) as { id?: unknown; name?: unknown };
+  const isPair = Array.isArray(data) && data.length === 2;
+  return id ?? ownId ?? name ?? (isPair ? (data[0] as unknown) : data);
 }
 
 function checkedValue(node: Input, value: unknown): number {

@@ -28,6 +28,10 @@ export interface TreemapInput<Datum = unknown> {
   readonly value?: number | undefined;
   /** Of a tree made by `stratify`. */
   readonly id?: string | undefined;
+  /** How many levels it is below the root. */
+  readonly depth?: number | undefined;
+  /** How many levels are below it. */
+  readonly height?: number | undefined;
   /** Missing for leaves. */
   readonly children?: readonly TreemapInput<Datum>[] | undefined;
 }
@@ -166,14 +170,17 @@ export interface Treemap<Datum = unknown> {
    * A root that a treemap has laid out, for animations: sites begin where they are there, with
    * their weights, and at most move a quarter of the way to their centroids. Where values change by
    * a few percent, two to four steps do. Children are matched by their keys within parents that
-   * match. The tree may be the same one, with other values. Default: null.
+   * match; the layout throws "bad-option" if two siblings have the same one. The tree may be the
+   * same one, with other values: then each node is matched with itself. Default: null.
    */
   previous(): (TreemapInput<Datum> & Partial<TreemapCell>) | null;
   previous(root: (TreemapInput<Datum> & Partial<TreemapCell>) | null): this;
 
   /**
-   * What matches a node with that of `previous`: default `node.id`, or else `data.id` or
-   * `data.name`, or else its index among its siblings.
+   * What matches a node with that of `previous`. Default: `node.id`, or else `data.id` or
+   * `data.name`, or else, of the pairs [key, value] in trees of d3.group and d3.rollup, the key, or
+   * else `data` itself. Where siblings without names come and go at once, only a key can tell
+   * which is which: without one the layout throws "bad-option".
    */
   key(): ((node: TreemapInput<Datum>, index: number) => unknown) | null;
   key(key: ((node: TreemapInput<Datum>, index: number) => unknown) | null): this;

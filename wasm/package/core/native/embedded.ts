@@ -15,6 +15,7 @@ export function embed(part: Part, text: string, swaps: readonly number[]): () =>
     }
   });
   return async () => {
+    await null; // the end of the caller's stack may be near
     if (compiled !== undefined || (part === "core" && isRunning())) return;
     try {
       compiled ??= await WebAssembly.compile(bytesOf(text, swaps));

@@ -60,6 +60,7 @@ export function setSource(part: Part, source: PartSource): void {
 /** A compiled part. Throws "not-loaded" if that cannot be had. */
 function compiledPart(part: Part): WebAssembly.Module {
   const source = sources[part];
+  expectStack();
   if (source !== undefined) return source();
   throw notLoaded(
     `apollonius-diagram/wasm: \`await load({ ${part}: … })\` before the first ` +
@@ -123,7 +124,6 @@ function started(compiled: WebAssembly.Module): NativeModule {
     let hasBegun = false;
     return () => {
       if (hasBegun) return;
-      expectStack();
       startPart(part);
       register();
       hasBegun = true;
@@ -183,7 +183,8 @@ type Exports = MainModule &
 /**
  * Throws a RangeError if little of the stack is left. Where it ends within Emscripten's own start,
  * or within Embind's registrations, these are left half done: a promise that nobody sees is
- * rejected, or V8 ends the process as it compiles a regular expression.
+ * rejected, or V8 ends the process as it compiles a regular expression. After it, a RangeError is a
+ * lack of memory.
  */
 function expectStack(frames = 1000): void {
   if (frames > 0) expectStack(frames - 1);
@@ -197,7 +198,7 @@ function instanceOf(
   try {
     return new WebAssembly.Instance(compiled, imports);
   } catch (cause) {
-    throw cause instanceof RangeError ? outOfMemory() : cause; // no stack is lacking here
+    throw cause instanceof RangeError ? outOfMemory() : cause;
   }
 }
 
@@ -330,14 +331,15 @@ export function notLoaded(message: string, cause?: unknown): ApolloniusError {
   return new ApolloniusError("not-loaded", message, { cause });
 }
 
-/** What an engine says when it does not compile or start a module. */
+/** What an engine says when it does not compile or start a module, where no stack is lacking. */
 export function notCompiled(cause: unknown): unknown {
-  if (cause instanceof RangeError) return cause; // the end of the stack
+  if (cause instanceof ApolloniusError) return cause;
+  if (cause instanceof RangeError) return outOfMemory();
   const why = cause instanceof Error ? cause.message : String(cause);
   return notLoaded(
     `WebAssembly cannot be compiled here (${why}). A content security policy has to have ` +
-      "script-src 'wasm-unsafe-eval'; where nothing may be compiled, as on some servers at the " +
-      "edge, import the .wasm and give that module to load() of apollonius-diagram/wasm",
+      "script-src 'wasm-unsafe-eval'; where nothing may be compiled, give load() of " +
+      "apollonius-diagram/wasm the module that importing the .wasm gives",
     cause,
   );
 }
