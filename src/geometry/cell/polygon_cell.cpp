@@ -126,9 +126,11 @@ void PolygonCellClipper::addPiece(const Side& side, const Crossing* from, const 
   const Conic curve = !isHere    ? Conic::segment(a, b)
                       : e0 <= e1 ? clippedDiagram_.pieceInside(edge, e0, e1, a, b)
                                  : clippedDiagram_.pieceInside(edge, e1, e0, b, a).reversed();
-  if (!(curve.p0 == curve.p2))
-    rings_.add(
-        {isReference ? curve : curve.reversed(), side.neighbor, segmentOf(from), segmentOf(to)});
+  const bool isTouch =
+      clippedDiagram_.isTouch(side.edge, edge, curve, from == nullptr && to == nullptr);
+  if (!isTouch || !(curve.p0 == curve.p2))
+    rings_.add({isReference ? curve : curve.reversed(), side.neighbor, segmentOf(from),
+                segmentOf(to), false, isTouch});
 }
 
 /// Of the polygon, on which a crossing is.

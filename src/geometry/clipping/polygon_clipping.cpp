@@ -16,8 +16,9 @@ std::unique_ptr<CellClipper> PolygonClipping::cells(Parts parts) const {
 
 void PolygonClipping::visitEdges(EdgeVisitor& visitor) const {
   clippedDiagram_.visitEdges(VertexPrecision::kReproducible,
-                             [&](HalfedgeId h, const Edge&, const InsideInterval& piece) {
-                               visitor.visit(h, piece.curve);
+                             [&](HalfedgeId h, const Edge& edge, const InsideInterval& piece) {
+                               if (!clippedDiagram_.isTouch(h, edge, piece))
+                                 visitor.visit(h, piece.curve);
                              });
 }
 

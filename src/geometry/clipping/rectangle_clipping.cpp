@@ -11,9 +11,10 @@ std::unique_ptr<CellClipper> RectangleClipping::cells(Parts parts) const {
 }
 
 void RectangleClipping::visitEdges(EdgeVisitor& visitor) const {
-  forEachClippedPiece(
-      core_.delaunay(), box_, VertexPrecision::kReproducible,
-      [&](HalfedgeId h, const ClippedPiece& piece) { visitor.visit(h, piece.curve); });
+  forEachClippedPiece(core_.delaunay(), box_, VertexPrecision::kReproducible,
+                      [&](HalfedgeId h, const ClippedPiece& piece) {
+                        if (!piece.isTouch) visitor.visit(h, piece.curve);
+                      });
 }
 
 void RectangleClipping::measureCells(Measure what, std::vector<double>& measures) const {

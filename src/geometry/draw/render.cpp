@@ -32,16 +32,18 @@ bool isUsable(const VoronoiCircle& c, const Rectangle& window) {
          c.error <= powerOfTwo(-40) * (absolute(c.x) + absolute(c.y) + absolute(c.s));
 }
 
-/// Is the edge inside the window and straight up to the tolerance? A quick test that says yes for
-/// most edges of large diagrams. The curvature of the bisector is at most A/B² = 2|r|/p =: c. With
-/// a chord of length l and c l <= 1, the arc turns by less than half a turn and is at most l² c / 7
-/// away from its chord (a circle's: l² c / 8 (1 + …), at c l = 1 a 7.46th). No branch on that:
-/// which edges pass cannot be guessed.
+/// Is the edge inside the window, longer than rounding, and straight up to the tolerance? A quick
+/// test that says yes for most edges of large diagrams. The curvature of the bisector is at most
+/// A/B² = 2|r|/p =: c. With a chord of length l and c l <= 1, the arc turns by less than half a
+/// turn and is at most l² c / 7 away from its chord (a circle's: l² c / 8 (1 + …), at c l = 1
+/// a 7.46th). No branch on that: which edges pass cannot be guessed.
 bool isPlain(double p, double r, const VoronoiCircle& from, const VoronoiCircle& to,
              const Rectangle& window, double tolerance) {
   if (!isUsable(from, window) || !isUsable(to, window)) return false;
   const double lx = to.x - from.x, ly = to.y - from.y, l2 = lx * lx + ly * ly;
-  return (static_cast<int>(2 * r * l2 <= 7 * p * tolerance) &
+  const double error = static_cast<double>(from.error) + static_cast<double>(to.error);
+  return (static_cast<int>(l2 > 2 * error * error) &
+          static_cast<int>(2 * r * l2 <= 7 * p * tolerance) &
           static_cast<int>(4 * r * r * l2 <= p * p)) != 0;
 }
 
@@ -143,6 +145,7 @@ void drawEdges(const DiagramCore& core, const Rectangle& window, double toleranc
     path.segments(ends.data(), plainCount);
     for (std::size_t m = 0; m < otherCount; ++m) {
       const HalfedgeId g = edges[others[m]], h = startsAtReference(delaunay, g) ? g : graph.twin(g);
+      if (delaunay.isPoint(h)) continue;
       const VoronoiCircle &from = starts[others[m]], &to = delaunay.cachedCircle(faceOf(g));
       if (isUsable(from, window) && isUsable(to, window) &&
           drawQuickly(delaunay.site(graph.origin(h)), delaunay.site(graph.target(h)),
@@ -152,9 +155,10 @@ void drawEdges(const DiagramCore& core, const Rectangle& window, double toleranc
       }
       clipEdge(delaunay, h, window, clipped, VertexPrecision::kFast);
       for (int k = 0; k < clipped.count; ++k) {
-        const Conic& curve = clipped.pieces[static_cast<std::size_t>(k)].curve;
-        path.move(curve.p0.x, curve.p0.y);
-        drawConic(curve, tolerance, path);
+        const ClippedPiece& piece = clipped.pieces[static_cast<std::size_t>(k)];
+        if (piece.isTouch) continue;
+        path.move(piece.curve.p0.x, piece.curve.p0.y);
+        drawConic(piece.curve, tolerance, path);
       }
     }
   }
@@ -167,8 +171,9 @@ void drawEdges(const ClippedDiagram& clippedDiagram, double tolerance, Portion& 
   FlatArray<InsideInterval> pieces;
   visitEdges(delaunay, portion, path, [&](HalfedgeId h) {
     if (!clippedDiagram.isAnyInside(h)) return;
-    clippedDiagram.edgeInside(h, VertexPrecision::kFast, pieces);
+    const Edge edge = clippedDiagram.edgeInside(h, VertexPrecision::kFast, pieces);
     for (const InsideInterval& piece : pieces) {
+      if (clippedDiagram.isTouch(h, edge, piece)) continue;
       path.move(piece.curve.p0.x, piece.curve.p0.y);
       drawConic(piece.curve, tolerance, path);
     }

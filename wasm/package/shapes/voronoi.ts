@@ -275,8 +275,8 @@ export class Voronoi implements Disposable {
   }
 
   /**
-   * All edges inside the window, as curves; an edge of which the window cuts out a part is several.
-   * O(n).
+   * All edges inside the window, as curves, none of length zero (see `neighbors`); an edge of which
+   * the window cuts out a part is several. O(n).
    */
   edgeCurves(): EdgeCurves {
     const { curves, sites } = Voronoi.#living(this).edgeCurves(...this.#window);
@@ -315,7 +315,9 @@ export class Voronoi implements Disposable {
 
   /**
    * The sites whose cells have an edge in common with this one's inside the window,
-   * counter-clockwise, each once.
+   * counter-clockwise, each once. An edge has a length, however small: cells that meet in a point
+   * only are no neighbours, and `diagram.neighbors` may have them. That is decided exactly at
+   * Voronoi vertices, and up to rounding where the window or a distance ends an edge. O(d log d).
    */
   neighbors(id: number): Uint32Array {
     const boundary = this.cellCurves(id);
