@@ -30,7 +30,7 @@ std::unique_ptr<NaturalNeighbors> PolygonClipping::naturalNeighbors() const {
   return std::make_unique<NaturalNeighbors>(clippedDiagram_, grid());
 }
 
-void PolygonClipping::drawEdges(double tolerance, Portion& portion, Path& path) const {
+void PolygonClipping::drawEdges(Tolerance tolerance, Portion& portion, Path& path) const {
   internal::drawEdges(clippedDiagram_, tolerance, portion, path);
 }
 

@@ -25,7 +25,7 @@ std::unique_ptr<NaturalNeighbors> RectangleClipping::naturalNeighbors() const {
   return std::make_unique<NaturalNeighbors>(core_, box_);
 }
 
-void RectangleClipping::drawEdges(double tolerance, Portion& portion, Path& path) const {
+void RectangleClipping::drawEdges(Tolerance tolerance, Portion& portion, Path& path) const {
   internal::drawEdges(core_, box_, tolerance, portion, path);
 }
 

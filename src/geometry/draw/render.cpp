@@ -36,15 +36,15 @@ bool isUsable(const VoronoiCircle& c, const Rectangle& window) {
 /// test that says yes for most edges of large diagrams. The curvature of the bisector is at most
 /// A/B² = 2|r|/p =: c. With a chord of length l and c l <= 1, the arc turns by less than half a
 /// turn and is at most l² c / 7 away from its chord (a circle's: l² c / 8 (1 + …), at c l = 1
-/// a 7.46th). No branch on that: which edges pass cannot be guessed.
+/// a 7.46th). (c l)² is at most `bend`. No branch on that: which edges pass cannot be guessed.
 bool isPlain(double p, double r, const VoronoiCircle& from, const VoronoiCircle& to,
-             const Rectangle& window, double tolerance) {
+             const Rectangle& window, double tolerance, double bend) {
   if (!isUsable(from, window) || !isUsable(to, window)) return false;
   const double lx = to.x - from.x, ly = to.y - from.y, l2 = lx * lx + ly * ly;
   const double error = static_cast<double>(from.error) + static_cast<double>(to.error);
   return (static_cast<int>(l2 > 2 * error * error) &
           static_cast<int>(2 * r * l2 <= 7 * p * tolerance) &
-          static_cast<int>(4 * r * r * l2 <= p * p)) != 0;
+          static_cast<int>(4 * r * r * l2 <= bend * p * p)) != 0;
 }
 
 /// Draws an edge between two vertices inside the window by one line or one cubic, if that will do
@@ -57,7 +57,7 @@ bool isPlain(double p, double r, const VoronoiCircle& from, const VoronoiCircle&
 /// the tangents meet, at t n with t = p / (2 (c · n + r s)), s = rho_a rho_b + a · b, and the
 /// weight is 1 / (t √(2s)).
 bool drawQuickly(const Site& reference, const Site& other, double p, Point from, Point to,
-                 const Rectangle& window, double tolerance, Path& path) {
+                 const Rectangle& window, Tolerance tolerance, Path& path) {
   const Point center{reference.x, reference.y}, c{other.x - reference.x, other.y - reference.y},
       a = from - center, b = to - center;
   const double r = other.r - reference.r, ra = length(a), rb = length(b);
@@ -71,17 +71,19 @@ bool drawQuickly(const Site& reference, const Site& other, double p, Point from,
     return false;
   // As draw() in cubics.cpp, in squares.
   const Point chord = to - from, way = p1 - from;
-  const double l2 = dot(chord, chord), along = dot(way, chord), limit = tolerance * (1 + w);
+  const double l2 = dot(chord, chord), along = dot(way, chord);
   if (!(along >= 0 && along <= l2)) return false;
+  const double allowed = std::min(tolerance.distance * tolerance.distance,
+                                  tolerance.share * tolerance.share * l2);
   const double height = w * cross(chord, way);
-  if (height * height <= limit * limit * l2) {
+  if (height * height <= (1 + w) * (1 + w) * allowed * l2) {
     path.move(from.x, from.y);
     path.line(to.x, to.y);
     return true;
   }
   const double z = (w - 1) / (w + 1), error = z * z * (0.02 + 0.054 * z);  // cubicError
   const Point up = p1 - middle(from, to);
-  if (!(error * error * dot(up, up) <= tolerance * tolerance)) return false;
+  if (!(error * error * dot(up, up) <= allowed)) return false;
   const double share = 4 * w / (3 * (1 + w));
   const Point first = from + share * way, second = to + share * (p1 - to);
   path.move(from.x, from.y);
@@ -91,7 +93,7 @@ bool drawQuickly(const Site& reference, const Site& other, double p, Point from,
 
 }  // namespace
 
-void drawEdges(const DiagramCore& core, const Rectangle& window, double tolerance, Portion& portion,
+void drawEdges(const DiagramCore& core, const Rectangle& window, Tolerance tolerance, Portion& portion,
                Path& path) {
   // In blocks, each in several short loops without branches: the time is that of fetching sites and
   // circles from memory, and many fetches overlap if there is little to do and nothing to guess
@@ -101,6 +103,7 @@ void drawEdges(const DiagramCore& core, const Rectangle& window, double toleranc
   const Graph& graph = delaunay.graph();
   delaunay.computeMissingCircles();
   const std::size_t count = 3 * graph.faceSlots();
+  const double bend = std::min(1.0, 49 * tolerance.share * tolerance.share);
   std::array<HalfedgeId, kBlock> edges;
   std::array<std::size_t, kBlock> others;  // those of `edges` that are not plain
   std::array<VoronoiCircle, kBlock> starts;
@@ -132,7 +135,7 @@ void drawEdges(const DiagramCore& core, const Rectangle& window, double toleranc
     std::size_t plainCount = 0, otherCount = 0;
     for (std::size_t k = 0; k < edgeCount; ++k) {
       const VoronoiCircle &from = starts[k], &to = delaunay.cachedCircle(faceOf(edges[k]));
-      const bool plain = isPlain(squares[k], differences[k], from, to, window, tolerance);
+      const bool plain = isPlain(squares[k], differences[k], from, to, window, tolerance.distance, bend);
       double* const at = &ends[4 * plainCount];
       at[0] = from.x;
       at[1] = from.y;
@@ -165,7 +168,7 @@ void drawEdges(const DiagramCore& core, const Rectangle& window, double toleranc
   portion.isDone = true;
 }
 
-void drawEdges(const ClippedDiagram& clippedDiagram, double tolerance, Portion& portion,
+void drawEdges(const ClippedDiagram& clippedDiagram, Tolerance tolerance, Portion& portion,
                Path& path) {
   const DelaunayGraph& delaunay = clippedDiagram.core().delaunay();
   FlatArray<InsideInterval> pieces;
@@ -180,7 +183,7 @@ void drawEdges(const ClippedDiagram& clippedDiagram, double tolerance, Portion& 
   });
 }
 
-void drawDual(const DiagramCore& core, const Rectangle* window, double tolerance, Portion& portion,
+void drawDual(const DiagramCore& core, const Rectangle* window, Tolerance tolerance, Portion& portion,
               Path& path) {
   const DelaunayGraph& delaunay = core.delaunay();
   const Graph& graph = delaunay.graph();
@@ -211,7 +214,7 @@ void drawDual(const DiagramCore& core, const Rectangle* window, double tolerance
   });
 }
 
-void drawSites(const DiagramCore& core, double tolerance, Portion& portion, Path& path) {
+void drawSites(const DiagramCore& core, Tolerance tolerance, Portion& portion, Path& path) {
   const std::size_t limit = portion.commands;
   for (; portion.cursor < core.ids().slots(); ++portion.cursor) {
     if (path.commands.size() >= limit) return;

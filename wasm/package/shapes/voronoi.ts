@@ -2,7 +2,6 @@ import type { CellMoments } from "../../../build/wasm/apollonius.mjs";
 import {
   checkedChoice,
   checkedCount,
-  checkedTolerance,
   checkNumber,
   checkOptions,
   isSiteId,
@@ -25,7 +24,7 @@ import { ApolloniusError } from "../errors.js";
 import { cellPaths } from "./cell_paths.js";
 import { joined, measuresOf, partsOf, type Rings, ringOf } from "./cell_shapes.js";
 import { type Distances, distanceOf, reaches } from "./distances.js";
-import { drawBounds, drawInto, type NativeWindow } from "./drawing.js";
+import { drawBounds, drawInto, type NativeWindow, toleranceOf } from "./drawing.js";
 import { emptyCircles } from "./empty_circles.js";
 import { fitAreas, fitAreasAsync } from "./fit.js";
 import { type CellsCollection, collectionOf, type GeoJSONOptions } from "./geojson.js";
@@ -76,7 +75,8 @@ const [kFirstCells, kMostCells] = [256, 8192];
  * context.
  *
  * Cells have curved edges, and everything is computed from these: drawings and polygons are within
- * a tolerance of them, measures are those of the curves. A clipped cell can be several *parts*
+ * a tolerance of them, measures are those of the curves. (So the areas of polygons are not exactly
+ * those of cells: within 0.5 % by default, however small a cell is.) A clipped cell can be several *parts*
  * (if its site's centre is outside the window), which have holes where the window does.
  *
  * In a window that is not a rectangle, the first call after a change of the diagram finds where the
@@ -174,7 +174,7 @@ export class Voronoi implements Disposable {
   render(context?: PathContext | null, options?: DrawOptions): string | void;
   render(context?: PathContext | null, options?: DrawOptions): string | void {
     const native = Voronoi.#living(this);
-    const tolerance = this.#tolerance(native, options);
+    const tolerance = toleranceOf(options);
     return drawn(context, options, (target) =>
       drawInto(target, native, "edges", () => this.#window, tolerance),
     );
@@ -195,7 +195,7 @@ export class Voronoi implements Disposable {
   renderCell(id: number, context?: PathContext | null, options?: DrawOptions): string | void;
   renderCell(id: number, context?: PathContext | null, options?: DrawOptions): string | void {
     const native = Voronoi.#nativeFor(this, id);
-    const tolerance = this.#tolerance(native, options);
+    const tolerance = toleranceOf(options);
     return drawn(context, options, (target) => {
       const { commands, coordinates } = native.drawCell(...this.#window, id, tolerance);
       play(target, commands, coordinates);
@@ -210,8 +210,7 @@ export class Voronoi implements Disposable {
    */
   renderCells(options?: DrawOptions): (string | null)[] {
     const native = Voronoi.#living(this);
-    const tolerance = this.#tolerance(native, options);
-    return cellPaths(native, () => this.#window, tolerance, options);
+    return cellPaths(native, () => this.#window, options);
   }
 
   // --- Shapes ------------------------------------------------------------------------------------
@@ -219,7 +218,8 @@ export class Voronoi implements Disposable {
   /**
    * A cell as one closed ring, counter-clockwise (y upwards), within the tolerance of the true one.
    * Several parts, and holes, are joined by doubled segments, which have no area; `cellParts`
-   * keeps them apart. O(d log d). Throws "not-finite", "out-of-range", "bad-option" (options).
+   * keeps them apart. By default its area is within 0.5 % of the cell's, whose own is `cellArea`.
+   * O(d log d). Throws "not-finite", "out-of-range", "bad-option" (options).
    */
   cellPolygon(id: number, options: FlatOptions): Float64Array | null;
   cellPolygon(id: number, options?: NestedOptions): Position[] | null;
@@ -295,9 +295,10 @@ export class Voronoi implements Disposable {
   ): CellsCollection<Properties> {
     const native = Voronoi.#living(this);
     return collectionOf((given) => {
-      const tolerance = this.#tolerance(native, { tolerance: given });
+      const tolerance = toleranceOf({ tolerance: given });
       const polygons = native.cellPolygons(...this.#window, tolerance);
-      return this.#project ? unprojected(polygons, this.#project, tolerance) : polygons;
+      const inMap = tolerance || native.defaultTolerance(...this.#bounds);
+      return this.#project ? unprojected(polygons, this.#project, inMap) : polygons;
     }, options);
   }
 
@@ -608,13 +609,6 @@ export class Voronoi implements Disposable {
   #ringOptions(options: PolygonOptions | undefined) {
     checkOptions(options, "tolerance", "flat");
     const isFlat = checkedChoice("options.flat", options?.flat, [false, true]);
-    return { isFlat, tolerance: this.#tolerance(Voronoi.#living(this), options) };
-  }
-
-  #tolerance(
-    native: NativeShapes,
-    options: { tolerance?: number | undefined } | undefined,
-  ): number {
-    return checkedTolerance(options?.tolerance, () => native.defaultTolerance(...this.#bounds));
+    return { isFlat, tolerance: toleranceOf(options) };
   }
 }
