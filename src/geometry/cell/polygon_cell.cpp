@@ -151,7 +151,7 @@ void PolygonCellClipper::addInteriorRings(Slot site) {
       at = p;
       segment = segment + 1 == polygon.starts[interiorRing.value + 1] ? first : segment + 1;
     }
-    rings_.closeRing();
+    rings_.closeRing(true);
   }
 }
 
