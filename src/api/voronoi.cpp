@@ -217,7 +217,8 @@ Error Voronoi::cellPolygon(SiteId id, double tolerance, RingArrays& rings) const
   const Error error = firstOf(windowError(), siteError(id), toleranceError(tolerance));
   return clipped(error, [&](const Clipping& clipping) {
     const auto cells = clipping.cells(Parts::kWithArea);
-    PolygonFinder finder(*diagram_.core_, *cells, clipping.border(), toleranceIn(bounds_, tolerance));
+    PolygonFinder finder(*diagram_.core_, *cells, clipping.border(),
+                         toleranceIn(bounds_, tolerance));
     Rings found;
     finder.find(slotOf(id), found);
     assign(rings, found);
@@ -228,7 +229,8 @@ Error Voronoi::cellPolygonsBetween(SiteId first, SiteId end, double tolerance,
                                    CoverageArrays& polygons) const {
   return clipped(firstOf(windowError(), toleranceError(tolerance)), [&](const Clipping& clipping) {
     const auto cells = clipping.cells(Parts::kWithArea);
-    PolygonFinder finder(*diagram_.core_, *cells, clipping.border(), toleranceIn(bounds_, tolerance));
+    PolygonFinder finder(*diagram_.core_, *cells, clipping.border(),
+                         toleranceIn(bounds_, tolerance));
     Coverage found;
     assemble(listCells(*diagram_.core_, finder, RingsAre::kPolygons, first, end), found);
     assign(polygons, found);
@@ -244,7 +246,8 @@ Error Voronoi::cellPolygons(double tolerance, CoverageArrays& coverage) const {
                         : region_ != nullptr ? region_->area()
                                              : clipping.box().width() * clipping.box().height();
     const auto cells = clipping.cells(Parts::kThinToo);
-    PolygonFinder finder(*diagram_.core_, *cells, clipping.border(), toleranceIn(bounds_, tolerance));
+    PolygonFinder finder(*diagram_.core_, *cells, clipping.border(),
+                         toleranceIn(bounds_, tolerance));
     Coverage found;
     isCovered = coverWindow(*diagram_.core_, finder, clipping.box(), area, found);
     if (!isCovered) return;
@@ -359,7 +362,8 @@ Error Voronoi::drawDual(double tolerance, bool rays, Portion& portion, Path& pat
   return guarded(firstOf(windowError(), toleranceError(tolerance)), [&] {
     path.clear();
     const Rectangle window = windowOf(bounds_);
-    internal::drawDual(*diagram_.core_, rays ? &window : nullptr, toleranceIn(bounds_, tolerance), portion, path);
+    internal::drawDual(*diagram_.core_, rays ? &window : nullptr, toleranceIn(bounds_, tolerance),
+                       portion, path);
   });
 }
 

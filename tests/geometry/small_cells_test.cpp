@@ -66,7 +66,9 @@ TEST(SmallCells, CellsInWindowsOfAnySize) {
     Circles circles;
     const int count = 2 + static_cast<int>(random.below(30));
     for (int k = 0; k < count; ++k) {
-      const double r = random.oneIn(3) ? 0 : random.oneIn(5) ? random.between(0, 30) : 3 * random.unit();
+      const double r = random.oneIn(3)   ? 0
+                       : random.oneIn(5) ? random.between(0, 30)
+                                         : 3 * random.unit();
       circles.push_back({random.between(0, 100), random.between(0, 100), r});
     }
     Diagram diagram;
@@ -76,11 +78,26 @@ TEST(SmallCells, CellsInWindowsOfAnySize) {
     const Bounds box{x - size * random.unit(), y - size * random.unit(), x + size, y + size};
     const double step = (box.xmax - box.xmin) / 4;
     // A comb, whose teeth run along cells, with a hole.
-    const std::vector<double> corners{
-        box.xmin, box.ymin, box.xmax, box.ymin, box.xmax, box.ymax, x + 0.7 * size, y + size / 9,
-        x + size / 2, box.ymax, x + size / 3, y + size / 8, box.xmin, box.ymax,
-        box.xmin + step / 9, box.ymin + step / 9, box.xmin + step / 3, box.ymin + step / 8,
-        box.xmin + step / 4, box.ymin + step / 3};
+    const std::vector<double> corners{box.xmin,
+                                      box.ymin,
+                                      box.xmax,
+                                      box.ymin,
+                                      box.xmax,
+                                      box.ymax,
+                                      x + 0.7 * size,
+                                      y + size / 9,
+                                      x + size / 2,
+                                      box.ymax,
+                                      x + size / 3,
+                                      y + size / 8,
+                                      box.xmin,
+                                      box.ymax,
+                                      box.xmin + step / 9,
+                                      box.ymin + step / 9,
+                                      box.xmin + step / 3,
+                                      box.ymin + step / 8,
+                                      box.xmin + step / 4,
+                                      box.ymin + step / 3};
     const std::vector<std::uint32_t> starts{0, 7, 10};
     Region comb;
     ASSERT_EQ(comb.assign(corners, starts), Error::kNone);
@@ -106,9 +123,9 @@ TEST(SmallCells, ThinOnes) {
     insertInto(diagram, {{0, 0, 0}, {0, 200, 100}});
     // The edge is lowest at y = 50.
     const Reach reach(50);
-    for (const Voronoi& view :
-         {Voronoi(diagram, {-500, -500, 500, 50 + shown}), Voronoi(diagram, {-20, 50 - shown, 20, 400}),
-          Voronoi(diagram, {-60, -60, 60, -50 + shown}, &reach)})
+    for (const Voronoi& view : {Voronoi(diagram, {-500, -500, 500, 50 + shown}),
+                                Voronoi(diagram, {-20, 50 - shown, 20, 400}),
+                                Voronoi(diagram, {-60, -60, 60, -50 + shown}, &reach)})
       EXPECT_LT(pointsOf(view, 2, 1e-9), 700u);
   }
   for (const double gap : {10.0, 1.0, 1e-3, 1e-6}) {

@@ -73,8 +73,8 @@ bool drawQuickly(const Site& reference, const Site& other, double p, Point from,
   const Point chord = to - from, way = p1 - from;
   const double l2 = dot(chord, chord), along = dot(way, chord);
   if (!(along >= 0 && along <= l2)) return false;
-  const double allowed = std::min(tolerance.distance * tolerance.distance,
-                                  tolerance.share * tolerance.share * l2);
+  const double allowed =
+      std::min(tolerance.distance * tolerance.distance, tolerance.share * tolerance.share * l2);
   const double height = w * cross(chord, way);
   if (height * height <= (1 + w) * (1 + w) * allowed * l2) {
     path.move(from.x, from.y);
@@ -93,8 +93,8 @@ bool drawQuickly(const Site& reference, const Site& other, double p, Point from,
 
 }  // namespace
 
-void drawEdges(const DiagramCore& core, const Rectangle& window, Tolerance tolerance, Portion& portion,
-               Path& path) {
+void drawEdges(const DiagramCore& core, const Rectangle& window, Tolerance tolerance,
+               Portion& portion, Path& path) {
   // In blocks, each in several short loops without branches: the time is that of fetching sites and
   // circles from memory, and many fetches overlap if there is little to do and nothing to guess
   // between them. (Half as long as one loop.)
@@ -135,7 +135,8 @@ void drawEdges(const DiagramCore& core, const Rectangle& window, Tolerance toler
     std::size_t plainCount = 0, otherCount = 0;
     for (std::size_t k = 0; k < edgeCount; ++k) {
       const VoronoiCircle &from = starts[k], &to = delaunay.cachedCircle(faceOf(edges[k]));
-      const bool plain = isPlain(squares[k], differences[k], from, to, window, tolerance.distance, bend);
+      const bool plain =
+          isPlain(squares[k], differences[k], from, to, window, tolerance.distance, bend);
       double* const at = &ends[4 * plainCount];
       at[0] = from.x;
       at[1] = from.y;
@@ -183,8 +184,8 @@ void drawEdges(const ClippedDiagram& clippedDiagram, Tolerance tolerance, Portio
   });
 }
 
-void drawDual(const DiagramCore& core, const Rectangle* window, Tolerance tolerance, Portion& portion,
-              Path& path) {
+void drawDual(const DiagramCore& core, const Rectangle* window, Tolerance tolerance,
+              Portion& portion, Path& path) {
   const DelaunayGraph& delaunay = core.delaunay();
   const Graph& graph = delaunay.graph();
   visitEdges(delaunay, portion, path, [&](HalfedgeId h) {

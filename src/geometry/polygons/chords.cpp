@@ -61,22 +61,21 @@ bool ChordFinder::isHalved(const Conic& curve, const Conic& first, const Conic& 
   // and halving on will not help.
   if (!turns(curve.p0, curve.p2)) return turns(first.p0, first.p2) || turns(second.p0, second.p2);
   return !spansLittle(curve.p0, curve.p2) ||
-         (sagitta > finest_ &&
-          (entersDisc(curve.p0, curve.p2) || border_.isNear(curve, fromSegment, toSegment) ||
-           isLarge(sagitta, curve, left_, fromSegment, toSegment) ||
-           isLarge(sagitta, curve, right_, fromSegment, toSegment)));
+         (sagitta > finest_ && (entersDisc(curve.p0, curve.p2) ||
+                                isLarge(sagitta, curve, left_, fromSegment, toSegment) ||
+                                isLarge(sagitta, curve, right_, fromSegment, toSegment) ||
+                                border_.isNear(curve, fromSegment, toSegment)));
 }
 
 /// Is more than the share of the height needed over a chord, towards a site?
-bool ChordFinder::isLarge(double sagitta, const Conic& curve, Point site,
-                          std::uint32_t fromSegment, std::uint32_t toSegment) const {
+bool ChordFinder::isLarge(double sagitta, const Conic& curve, Point site, std::uint32_t fromSegment,
+                          std::uint32_t toSegment) const {
   const Point way = curve.p2 - curve.p0, from = middle(curve.p0, curve.p2);
   // 0 without a share
   const double least = sagitta / tolerance_.share * length(way);
   const double most = absolute(cross(way, site - from));
-  return least > most ||
-         (least > 0 && !border_.holds(curve, from + (least / most) * (site - from), fromSegment,
-                                      toSegment));
+  return least > most || (least > 0 && !border_.holds(curve, from + (least / most) * (site - from),
+                                                      fromSegment, toSegment));
 }
 
 /// Does a chord turn counter-clockwise about the site on its left, and clockwise about the other?

@@ -44,8 +44,7 @@ struct EdgePiece {
 class ChordFinder {
  public:
   /// REQUIRES: `border` lives as long.
-  ChordFinder(const Border& border, Tolerance tolerance)
-      : border_(border), tolerance_(tolerance) {}
+  ChordFinder(const Border& border, Tolerance tolerance) : border_(border), tolerance_(tolerance) {}
 
   /// The points of a piece, both ends included. Valid until the next call. The same for both sides
   /// only if both give the piece in the same direction.

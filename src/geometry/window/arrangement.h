@@ -77,7 +77,7 @@ class Arrangement {
   double fewLooks_;
   std::size_t looks_ = 0;
   bool areRounded_ = false;  // of the last cuts: are they crossings?
-  Point unit_;  // of the grid that all points are on; 0: of none
+  Point unit_;               // of the grid that all points are on; 0: of none
   FlatArray<Point> points_;
   FlatArray<Segment> segments_;  // after unify(): from comes before to, until orient()
   FlatArray<Cut> cuts_;

@@ -345,8 +345,9 @@ export class Voronoi implements Disposable {
   /**
    * The `count` largest of such circles, the largest first, none with its centre in one before it:
    * where to put new sites apart from each other. Fewer if there are no more. A view's distance
-   * does not matter. With `inside`: circles about Voronoi vertices, and the largest one of each
-   * cell at the border. Throws "not-finite", "out-of-range" (count), "bad-option",
+   * does not matter. With `inside`, these are chosen from: the circles about Voronoi vertices that do
+   * not cross the border, and the largest one of each cell at the border; so there may be room for
+   * more. Throws "not-finite", "out-of-range" (count), "bad-option",
    * "no-convergence". O(n (log n + count)).
    */
   emptyCircles(count: number, options?: EmptyCircleOptions): EmptyCircle[] {
