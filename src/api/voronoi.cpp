@@ -35,7 +35,7 @@ bool areGood(const Bounds& b) {
          b.xmin < b.xmax && b.ymin < b.ymax;
 }
 
-constexpr double kDefaultShare = powerOfTwo(-13);
+constexpr double kShareOfWindow = powerOfTwo(-13);
 
 void appendCurve(const Conic& c, std::vector<double>& curves) {
   curves.insert(curves.end(), {c.p0.x, c.p0.y, c.p1.x, c.p1.y, c.w, c.p2.x, c.p2.y});
@@ -101,7 +101,11 @@ Error firstOf(Error a, Error b, Error c = Error::kNone) {
 
 Error toleranceError(double tolerance) {
   if (!std::isfinite(tolerance)) return Error::kNotFinite;
-  return tolerance > 0 ? Error::kNone : Error::kOutOfRange;
+  return tolerance >= 0 ? Error::kNone : Error::kOutOfRange;
+}
+
+Tolerance toleranceIn(const Bounds& window, double given) {
+  return given > 0 ? Tolerance{given} : Tolerance{defaultTolerance(window), kDefaultShare};
 }
 
 }  // namespace
@@ -138,7 +142,7 @@ Bounds Voronoi::extentOf(const Diagram& diagram) {
 }
 
 double defaultTolerance(const Bounds& bounds) {
-  return kDefaultShare * windowOf(bounds).diagonal();
+  return kShareOfWindow * windowOf(bounds).diagonal();
 }
 
 std::uint32_t Voronoi::slotOf(SiteId id) const { return diagram_.core_->ids().slotOf(id); }
@@ -213,7 +217,8 @@ Error Voronoi::cellPolygon(SiteId id, double tolerance, RingArrays& rings) const
   const Error error = firstOf(windowError(), siteError(id), toleranceError(tolerance));
   return clipped(error, [&](const Clipping& clipping) {
     const auto cells = clipping.cells(Parts::kWithArea);
-    PolygonFinder finder(*diagram_.core_, *cells, clipping.border(), tolerance);
+    PolygonFinder finder(*diagram_.core_, *cells, clipping.border(),
+                         toleranceIn(bounds_, tolerance));
     Rings found;
     finder.find(slotOf(id), found);
     assign(rings, found);
@@ -224,7 +229,8 @@ Error Voronoi::cellPolygonsBetween(SiteId first, SiteId end, double tolerance,
                                    CoverageArrays& polygons) const {
   return clipped(firstOf(windowError(), toleranceError(tolerance)), [&](const Clipping& clipping) {
     const auto cells = clipping.cells(Parts::kWithArea);
-    PolygonFinder finder(*diagram_.core_, *cells, clipping.border(), tolerance);
+    PolygonFinder finder(*diagram_.core_, *cells, clipping.border(),
+                         toleranceIn(bounds_, tolerance));
     Coverage found;
     assemble(listCells(*diagram_.core_, finder, RingsAre::kPolygons, first, end), found);
     assign(polygons, found);
@@ -240,7 +246,8 @@ Error Voronoi::cellPolygons(double tolerance, CoverageArrays& coverage) const {
                         : region_ != nullptr ? region_->area()
                                              : clipping.box().width() * clipping.box().height();
     const auto cells = clipping.cells(Parts::kThinToo);
-    PolygonFinder finder(*diagram_.core_, *cells, clipping.border(), tolerance);
+    PolygonFinder finder(*diagram_.core_, *cells, clipping.border(),
+                         toleranceIn(bounds_, tolerance));
     Coverage found;
     isCovered = coverWindow(*diagram_.core_, finder, clipping.box(), area, found);
     if (!isCovered) return;
@@ -340,14 +347,14 @@ Error Voronoi::drawEdges(double tolerance, Portion& portion, Path& path) const {
   const Error error = firstOf(windowError(), toleranceError(tolerance));
   return clipped(error, [&](const Clipping& clipping) {
     path.clear();
-    clipping.drawEdges(tolerance, portion, path);
+    clipping.drawEdges(toleranceIn(bounds_, tolerance), portion, path);
   });
 }
 
 Error Voronoi::drawSites(double tolerance, Portion& portion, Path& path) const {
   return guarded(firstOf(windowError(), toleranceError(tolerance)), [&] {
     path.clear();
-    internal::drawSites(*diagram_.core_, tolerance, portion, path);
+    internal::drawSites(*diagram_.core_, toleranceIn(bounds_, tolerance), portion, path);
   });
 }
 
@@ -355,14 +362,15 @@ Error Voronoi::drawDual(double tolerance, bool rays, Portion& portion, Path& pat
   return guarded(firstOf(windowError(), toleranceError(tolerance)), [&] {
     path.clear();
     const Rectangle window = windowOf(bounds_);
-    internal::drawDual(*diagram_.core_, rays ? &window : nullptr, tolerance, portion, path);
+    internal::drawDual(*diagram_.core_, rays ? &window : nullptr, toleranceIn(bounds_, tolerance),
+                       portion, path);
   });
 }
 
 Error Voronoi::drawCell(SiteId id, double tolerance, Path& path) const {
   return withCell(id, toleranceError(tolerance), [&](const Cell& cell, Point) {
     path.clear();
-    internal::drawCell(cell, tolerance, path);
+    internal::drawCell(cell, toleranceIn(bounds_, tolerance), path);
   });
 }
 
@@ -372,14 +380,14 @@ Error Voronoi::cellPaths(double tolerance, unsigned digits, Portion& portion,
       firstOf(windowError(), toleranceError(tolerance),
               digits <= PathWriter::kMostDigits ? Error::kNone : Error::kOutOfRange);
   return clipped(error, [&](const Clipping& clipping) {
-    writeCells(*diagram_.core_, clipping, tolerance, digits, portion, paths);
+    writeCells(*diagram_.core_, clipping, toleranceIn(bounds_, tolerance), digits, portion, paths);
   });
 }
 
 Error Voronoi::drawHull(double tolerance, Path& path) const {
   return guarded(firstOf(windowError(), toleranceError(tolerance)), [&] {
     path.clear();
-    internal::drawHull(*diagram_.core_, tolerance, path);
+    internal::drawHull(*diagram_.core_, toleranceIn(bounds_, tolerance), path);
   });
 }
 

@@ -107,8 +107,9 @@ class APOLLONIUS_EXPORT Voronoi {
   // Every call below can return kBadBounds (unless xmin < xmax, ymin < ymax, all within the range
   // of coordinates) and kOutOfMemory, and replaces the contents of its last argument. Those with a
   // site: kUnknownSite; a hidden one has an empty cell. Those with a tolerance (largest distance of
-  // a drawn line from the true one; see defaultTolerance): kNotFinite, kOutOfRange unless it is >
-  // 0. Below 2^-36 of a curve's size it has no further effect.
+  // a drawn line from the true one): kNotFinite, kOutOfRange unless it is >= 0. Below 2^-36 of a
+  // curve's size it has no further effect. 0 is the default: that of defaultTolerance(), and less
+  // where a cell is small: polygons are then within 0.5 % of their cells' areas.
 
   /// Each Voronoi edge inside the window, its pieces one by one.
   [[nodiscard]] Error edgeCurves(CurveArrays& edges) const;

@@ -54,9 +54,11 @@ class DelaunayGraph {
     return {corner(graph_.origin(h)), corner(graph_.target(h)), corner(graph_.apex(h)),
             corner(graph_.apex(graph_.twin(h)))};
   }
-  /// Its vertex for output: precise, the same bits after any history, and the same for all faces of
-  /// which it is the vertex, where more than three sites touch one circle. A half-plane as circle()
-  /// has it.
+  /// Is that a point, as both its ends are one vertex, of more than three sites? Exact.
+  [[nodiscard]] bool isPoint(HalfedgeId h) const;
+  /// A face's vertex for output: precise, the same bits after any history, and the same for all
+  /// faces of which it is the vertex, where more than three sites touch one circle. A half-plane as
+  /// circle() has it.
   [[nodiscard]] VoronoiCircle voronoiVertex(FaceId f) const;
   [[nodiscard]] bool isFaceInConflict(FaceId f, const Site& q) const {
     const MaybeSign filtered =

@@ -25,20 +25,24 @@ bool areApart(const VoronoiCircle& a, const VoronoiCircle& b) {
 
 }  // namespace
 
+bool DelaunayGraph::isPoint(HalfedgeId h) const {
+  const EdgeCorners e = edge(h);
+  const bool isBounded = e.i != nullptr && e.j != nullptr && e.k != nullptr && e.l != nullptr;
+  // The same three sites have two circles, one in each order.
+  return isBounded && e.k != e.l && !areApart(circle(faceOf(h)), circle(faceOf(graph_.twin(h)))) &&
+         touchesBetween(*e.i, *e.j, *e.k, *e.l);
+}
+
 /// Do the faces on both sides of an edge, which starts at the largest site of h's face, have one
 /// circle? Or do they have the same three sites, in both orders, and circles that are one as far as
 /// doubles can tell: then they are to be rounded as well as if they were. REQUIRES: h's face has no
 /// corner at infinity.
 bool DelaunayGraph::isSameVertex(HalfedgeId h) const {
-  const FaceId f = faceOf(h), g = faceOf(graph_.twin(h));
-  const VertexId beyond = graph_.apex(graph_.twin(h));
-  if (beyond == kInfinity) return false;
   const EdgeCorners e = edge(h);
-  if (beyond == graph_.apex(h))
+  if (e.k == e.l)
     return !areApart(voronoiCircle(e.i, e.j, e.k),
                      voronoiCircle(e.j, e.i, e.l));  // not the cached: see above
-  const VoronoiCircle &a = circle(f), &b = circle(g);
-  return !areApart(a, b) && touchesCircle(*e.i, *e.j, *e.k, *e.l);
+  return isPoint(h);
 }
 
 VoronoiCircle DelaunayGraph::voronoiVertex(FaceId f) const {

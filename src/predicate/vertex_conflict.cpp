@@ -140,6 +140,14 @@ MaybeSign isOppositeOfPoints(const Site& i, Corner j, Corner k, Corner q, FaceCo
 
 }  // namespace
 
+bool isOpposite(const Site& i, Corner j, Corner k, Corner q, FaceCorner corner) {
+  if (const MaybeSign quick = isOppositeOfPoints(i, j, k, q, corner); quick.known)
+    return quick.sign == Sign::kPositive;
+  FilterKernel filter(i, {j, k, q});
+  const bool probably = isOpposite(filter, corner);
+  return filter.failed() ? isOppositeExact(i, j, k, q, corner) : probably;
+}
+
 bool vertexDegenerate(const Site& i, Corner j, Corner k, Corner q) {
   // Only the largest of the four, z, matters: infinity if it is among them, else i or q.
   if (q == nullptr) return true;
@@ -147,12 +155,7 @@ bool vertexDegenerate(const Site& i, Corner j, Corner k, Corner q) {
                        : k == nullptr ? FaceCorner::kK
                                       : FaceCorner::kReference;
   if (z == FaceCorner::kReference && precedes(i, *q)) return true;
-  if (const MaybeSign quick = isOppositeOfPoints(i, j, k, q, z); quick.known)
-    return quick.sign == Sign::kPositive;
-  FilterKernel filter(i, {j, k, q});
-  const bool probably = isOpposite(filter, z);
-  if (!filter.failed()) return probably;
-  return isOppositeExact(i, j, k, q, z);
+  return isOpposite(i, j, k, q, z);
 }
 
 bool isOppositeExact(const Site& i, Corner j, Corner k, Corner q, FaceCorner corner) {
@@ -213,6 +216,16 @@ bool touchesCircle(const Site& i, const Site& j, const Site& k, const Site& q) {
   Corner a = &i, b = &j, c = &k;
   rotateToReference(a, b, c);
   return vertexSign(*a, b, c, &q) == Sign::kZero;
+}
+
+bool touchesBetween(const Site& i, const Site& j, const Site& k, const Site& q) {
+  using stages::FaceCorner;
+  Corner a = &i, b = &j, c = &k;
+  rotateToReference(a, b, c);
+  const FaceCorner corner = a == &k   ? FaceCorner::kReference
+                            : b == &k ? FaceCorner::kJ
+                                      : FaceCorner::kK;
+  return vertexSign(*a, b, c, &q) == Sign::kZero && stages::isOpposite(*a, b, c, &q, corner);
 }
 
 }  // namespace apollonius::internal

@@ -26,9 +26,12 @@ namespace apollonius::internal {
 /// takes it over. Degree 5.
 [[nodiscard]] bool hasVoronoiCircle(const Site& i, const Site& j, const Site& k);
 
-/// Does q touch the Voronoi circle of the face (i, j, k), so that their vertices are one point?
-/// REQUIRES: as isVertexInConflict, i, j, k finite. Degree 8.
+/// Does q touch the Voronoi circle of the face (i, j, k)? REQUIRES: as isVertexInConflict, i, j, k
+/// finite. Degree 8.
 [[nodiscard]] bool touchesCircle(const Site& i, const Site& j, const Site& k, const Site& q);
+/// And between i and j, so that it is that of the face (j, i, q), too? (Those three can have a
+/// second one, in the other order.)
+[[nodiscard]] bool touchesBetween(const Site& i, const Site& j, const Site& k, const Site& q);
 
 /// The first stage, which settles nearly all: vertex conflict from the cached circle alone.
 /// Positive, conflict; negative, none; or unknown.
@@ -76,9 +79,11 @@ namespace stages {
 [[nodiscard]] Sign vertexExact(const Site& i, Corner j, Corner k, Corner q);
 /// The answer where vertexExact is zero.
 [[nodiscard]] bool vertexDegenerate(const Site& i, Corner j, Corner k, Corner q);
-/// Its geometric part in long integers: of four sites that touch one circle (or line: one is
-/// infinite), is q opposite to this corner?
+/// Its geometric part: of four sites that touch one circle (or line: one is infinite), is q
+/// opposite to this corner?
 enum class FaceCorner : unsigned char { kReference, kJ, kK };
+[[nodiscard]] bool isOpposite(const Site& i, Corner j, Corner k, Corner q, FaceCorner corner);
+/// The same in long integers.
 [[nodiscard]] bool isOppositeExact(const Site& i, Corner j, Corner k, Corner q, FaceCorner corner);
 
 }  // namespace stages

@@ -15,7 +15,7 @@ using namespace internal;
 
 std::size_t countOf(const Conic& curve, Point left, Point right, double tolerance,
                     const Border& border = RectangleSides({-10, -10, 10, 10})) {
-  return ChordFinder(border, tolerance).find({curve, left, right}).size();
+  return ChordFinder(border, Tolerance{tolerance}).find({curve, left, right}).size();
 }
 
 TEST(Chords, SpanLessThanAQuarterTurnHoweverCoarse) {
@@ -44,7 +44,7 @@ TEST(Chords, InARegionLeaveTheSideOnWhichTheyBeginAndEnd) {
   const PolygonGrid grid(polygon);
   const Conic bulge{{-1, -10}, {0, -9}, 1.5, {1, -10}};
   for (std::uint32_t side = 0; side < 4; ++side) {  // one of them is the lower one
-    ChordFinder finder(grid, 100);
+    ChordFinder finder(grid, Tolerance{100});
     EXPECT_GE(finder.find({bulge, {0, 40}, {0, -40}, side, side}).size(), 3u) << side;
   }
 }

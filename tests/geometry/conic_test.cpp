@@ -84,7 +84,7 @@ TEST(Conic, ApproximationsAreWithinTheTolerance) {
         ASSERT_TRUE(polyline.back() == conic.p2);
 
         Path path;
-        drawConic(conic, tolerance, path);
+        drawConic(conic, {tolerance}, path);
         std::vector<Point> drawn{conic.p0};
         std::size_t at = 0;
         for (const std::uint8_t command : path.commands) {
@@ -142,7 +142,7 @@ TEST(Conic, OfAFewDoublesIsNotHalvedWithoutEnd) {
   for (const double w : {1.0, 3.0, 1e9}) {
     const Conic conic{{1e6, 1e6}, {1e6 + step, 1e6}, w, {1e6 + step, 1e6 + step}};
     Path path;
-    drawConic(conic, 1e-30, path);
+    drawConic(conic, {1e-30}, path);
     EXPECT_LE(path.commands.size(), 4u);
     EXPECT_LE(chordsOf(conic, 1e-30).size(), 5u);
   }

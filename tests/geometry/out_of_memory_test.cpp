@@ -422,6 +422,47 @@ TEST_F(GeometryOutOfMemory, FitsGoOnAfterwards) {
   EXPECT_GT(failed_, 100);
 }
 
+// What a call about one cell takes does not grow with the window far away from the cell. (An array
+// of all crossings was filled for each call.)
+TEST_F(GeometryOutOfMemory, CallsAboutOneCellTakeNoMoreWithAWindowThatIsLargerElsewhere) {
+  // Cells in a row; teeth of a comb go across the border between the last two.
+  circles_ = {{0, 0, 0}, {100, 0, 0}, {200, 0, 0}, {200, 100, 0}};
+  for (const int teeth : {10, 20'000}) {
+    SCOPED_TRACE(teeth);
+    std::vector<double> comb{300, -50, 300, 80};
+    for (int k = 0; k < teeth; ++k) {
+      const double x = 300 - 100.0 * (k + 1) / teeth;
+      comb.insert(comb.end(), {x + 50.0 / teeth, 20, x, 80});
+    }
+    comb.insert(comb.end(), {200, 20, -50, 20, -50, -50});
+    Subject subject = make(false);
+    const std::vector<std::uint32_t> starts{0, static_cast<std::uint32_t>(comb.size() / 2)};
+    ASSERT_EQ(subject.region.assign(comb, starts), Error::kNone);
+    const Voronoi view(subject.diagram, subject.region);
+    for (const SiteId id : {0u, 1u}) {
+      CellMeasures measures;
+      CurveArrays curves;
+      RingArrays rings;
+      Path path;
+      NaturalWeights weights;
+      const auto all = {
+          std::function([&] { return view.cellMeasures(id, measures); }),
+          std::function([&] { return view.cellCurves(id, curves); }),
+          std::function([&] { return view.cellPolygon(id, kTolerance, rings); }),
+          std::function([&] { return view.drawCell(id, kTolerance, path); }),
+          std::function([&] { return view.naturalWeights(1, 1, 0, weights); }),
+      };
+      for (const auto& call : all) {
+        ASSERT_EQ(call(), Error::kNone);  // which lays the window over the diagram
+        heap.arm();
+        heap.limit = heap.live + 16'384;
+        EXPECT_EQ(call(), Error::kNone);
+        heap.disarm();
+      }
+    }
+  }
+}
+
 // A builder that ran out of memory says so again, and changes nothing. (Places were filled that it
 // did not have any more.)
 TEST_F(GeometryOutOfMemory, BuildersSaySoAgain) {

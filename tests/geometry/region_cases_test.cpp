@@ -232,6 +232,85 @@ void expectRegion(const Ring& ring, const Circles& circles, const std::string& w
 
 /// Needles 6 · 10^11 long, with one end in a square and the other at places a double apart:
 /// crossings, once rounded, are crossed again and again, and 16 segments became 90 000.
+/// The lengths of a cell's polygons.
+double lengthOfRings(const Voronoi& view, SiteId id) {
+  RingArrays rings;
+  EXPECT_EQ(view.cellPolygon(id, 1e-6, rings), Error::kNone);
+  double sum = 0;
+  for (std::size_t k = 0; k + 1 < rings.starts.size(); ++k) {
+    for (std::size_t m = rings.starts[k]; m + 1 < rings.starts[k + 1]; ++m) {
+      const double* const p = &rings.coordinates[2 * m];
+      sum += std::hypot(p[2] - p[0], p[3] - p[1]);
+    }
+  }
+  return sum;
+}
+
+/// A ring that goes along a line and back has no boundary, where others cross it, too. (Its sides
+/// were cut at crossings that were rounded in two ways, before they could cancel.)
+TEST(RegionCases, RingsWithoutAreaHaveNoBoundary) {
+  Random random(3501);
+  std::vector<std::vector<Ring>> cases{
+      {{10.5, 14, 12, 16, 111, 148}, {11, 14, 128, 100, -13, 148}}};
+  for (int run = 0; run < runs(200); ++run) {
+    const double x = random.below(64), y = random.below(64), u = 1 + random.below(9),
+                 v = 1 + random.below(9);
+    Ring line;
+    for (int k = 0; k < 3 + static_cast<int>(random.below(4)); ++k) {
+      const double at = random.below(60) - 20.0;
+      line.insert(line.end(), {x + at * u / 2, y + at * v / 2});
+    }
+    Ring other;
+    for (int k = 0; k < 3 + static_cast<int>(random.below(3)); ++k)
+      other.insert(other.end(), {random.below(200) - 40.0, random.below(200) - 40.0});
+    cases.push_back({line, other});
+    cases.push_back({other, line, line, line});
+  }
+  for (const std::vector<Ring>& rings : cases) {
+    std::vector<double> coordinates;
+    std::vector<std::uint32_t> starts{0};
+    for (const Ring& ring : rings) {
+      coordinates.insert(coordinates.end(), ring.begin(), ring.end());
+      starts.push_back(static_cast<std::uint32_t>(coordinates.size() / 2));
+    }
+    Region region;
+    if (region.assign(coordinates, starts) != Error::kNone) continue;  // the other one has no area
+    Diagram diagram;
+    insertInto(diagram, {{45, 60, 0}, {111, 148, 0}, {30, 90, 7}});
+    const Voronoi view(diagram, region);
+    std::vector<double> perimeters;
+    ASSERT_EQ(view.cellPerimeters(perimeters), Error::kNone);
+    for (SiteId id = 0; id < 3; ++id) {
+      CellMeasures measures;
+      ASSERT_EQ(view.cellMeasures(id, measures), Error::kNone);
+      EXPECT_NEAR(measures.perimeter, lengthOfRings(view, id), 1e-3) << "cell " << id;
+      EXPECT_NEAR(measures.perimeter, perimeters[id], 1e-9) << "cell " << id;
+    }
+    if (HasFailure()) return;
+  }
+}
+
+/// The cell that has all of a window has its area, if the window is thinner than rounding is where
+/// edges meet a border, too.
+TEST(RegionCases, ThinWindows) {
+  for (const double height : {0x1p-46, 0x1p-44, 0x1p-40, 0x1p-38, 0x1p-30}) {
+    for (const double far : {0.0, 1e4}) {
+      SCOPED_TRACE(testing::Message() << height << " " << far);
+      Diagram diagram;
+      insertInto(diagram, {{45 - far, 60, 0}, {200 + far, 148, 0}});
+      const Region region = regionOf({{0, 60, 100, 60, 100, 60 + height, 0, 60 + height}});
+      const Voronoi view(diagram, region);
+      std::vector<double> areas;
+      ASSERT_EQ(view.cellAreas(areas), Error::kNone);
+      CellMeasures measures;
+      ASSERT_EQ(view.cellMeasures(0, measures), Error::kNone);
+      EXPECT_NEAR(measures.area, region.area(), 1e-9 * region.area());
+      EXPECT_NEAR(areas[0], region.area(), 1e-9 * region.area());
+      EXPECT_NEAR(measures.perimeter, 200, 1e-6);
+    }
+  }
+}
+
 TEST(RegionCases, NeedlesWhoseRoundedCrossingsCrossAgain) {
   Random random(1123);
   for (int run = 0; run < runs(40); ++run) {

@@ -46,7 +46,7 @@ inline double areaOf(const Bounds& b) { return (b.xmax - b.xmin) * (b.ymax - b.y
 inline std::vector<Point> chordsOf(const Conic& conic, double tolerance) {
   const Point away = 10 * leftOf(conic.p2 - conic.p0), center = middle(conic.p0, conic.p2);
   const RectangleSides everywhere({-1e300, -1e300, 1e300, 1e300});
-  ChordFinder finder(everywhere, tolerance);
+  ChordFinder finder(everywhere, Tolerance{tolerance});
   const auto points = finder.find({conic, center + away, center - away});
   return {points.begin(), points.end()};
 }

@@ -26,7 +26,7 @@ struct Scene {
     insertAll(core, circles, ids);
     const RectangleClipping clipping(core, kWindow);
     const auto cells = clipping.cells(Parts::kThinToo);
-    PolygonFinder finder(core, *cells, clipping.border(), 0.1);
+    PolygonFinder finder(core, *cells, clipping.border(), Tolerance{0.1});
     raw = listCells(core, finder, RingsAre::kRaw, 0, core.ids().idLimit());
   }
 

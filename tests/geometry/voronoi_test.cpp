@@ -23,7 +23,7 @@ namespace {
 
 /// Hash of curves, measures and drawings of a fixed set of diagrams; native code and wasm must
 /// agree. Update it only with a change of those formulas that is meant.
-constexpr std::uint64_t kExpectedGeometry = 0x0eb92b016e97476a;
+constexpr std::uint64_t kExpectedGeometry = 0x665b4004673e3eea;
 
 TEST(VoronoiErrors, BadBoundsAndTolerances) {
   Diagram diagram;
@@ -55,13 +55,12 @@ TEST(VoronoiErrors, BadBoundsAndTolerances) {
   }
   const Voronoi voronoi(diagram);
   RingArrays rings;
-  EXPECT_EQ(voronoi.cellPolygon(0, 0, rings), Error::kOutOfRange);
   EXPECT_EQ(voronoi.cellPolygon(0, -1, rings), Error::kOutOfRange);
   EXPECT_EQ(voronoi.cellPolygon(0, kNan, rings), Error::kNotFinite);
   EXPECT_EQ(voronoi.cellPolygon(0, kInf, rings), Error::kNotFinite);
   EXPECT_EQ(voronoi.cellPolygon(2, 1, rings), Error::kUnknownSite);
   CoverageArrays polygons;
-  EXPECT_EQ(voronoi.cellPolygonsBetween(0, 1, 0, polygons), Error::kOutOfRange);
+  EXPECT_EQ(voronoi.cellPolygonsBetween(0, 1, -1, polygons), Error::kOutOfRange);
   EXPECT_EQ(voronoi.cellPolygonsBetween(0, 1, kNan, polygons), Error::kNotFinite);
   CellMeasures measures;
   EXPECT_EQ(voronoi.cellMeasures(kNoSite, measures), Error::kUnknownSite);
@@ -185,7 +184,7 @@ void add(const Voronoi& voronoi, const std::vector<SiteId>& order, double tolera
       for (const double number : c) hash.add(number + 0.0);  // -0 and 0 sort as equals
       const Conic conic{{c[0], c[1]}, {c[2], c[3]}, c[4], {c[5], c[6]}};
       Path path;
-      drawConic(conic, tolerance, path);
+      drawConic(conic, {tolerance}, path);
       Moments moments;
       moments.add(conic, {1, 2});
       hash.addAll(path.coordinates);

@@ -66,7 +66,7 @@ std::size_t workOf(const Family& family, std::size_t n) {
   insertAll(core, circles, ids);
   const RectangleClipping clipping(core, {0, 0, 1000, 1000});
   const auto cells = clipping.cells(Parts::kThinToo);
-  PolygonFinder finder(core, *cells, clipping.border(), 0.1);
+  PolygonFinder finder(core, *cells, clipping.border(), Tolerance{0.1});
   Coverage coverage;
   EXPECT_TRUE(coverWindow(core, finder, clipping.box(), 1e6, coverage));
   return coverage.work;

@@ -50,6 +50,24 @@ test.each(windows)("measures in %s are those of sampled points", (_name, window,
 const areaOf = (ring) =>
   ring.slice(1).reduce((sum, [x, y], k) => sum + ring[k][0] * y - x * ring[k][1], 0) / 2;
 
+// The tolerance was a share of the window: small cells were octagons.
+test.each([
+  0.01, 0.1, 1, 5, 20, 80,
+])("at distance %p, polygons have their cells' areas by default", (distance) => {
+  const view = new Diagram([500, 300, 0, 520, 300, 0]).voronoi([0, 0, 1000, 600], { distance });
+  const isNear = (area, id) => expect(Math.abs(area / view.cellArea(id) - 1)).toBeLessThan(0.005);
+  for (const { id, geometry } of view.toGeoJSON().features)
+    isNear(areaOf(geometry.coordinates[0]), id);
+  for (const ring of view.cellPolygons()) isNear(areaOf(ring), ring.index);
+  for (const id of [0, 1]) {
+    isNear(areaOf(view.cellPolygon(id)), id);
+    expect(view.cellPolygon(id).length).toBeLessThan(100);
+    expect(view.renderCell(id)).toMatch(/C/);
+    // A tolerance that is given is kept.
+    expect(view.cellPolygon(id, { tolerance: 1000 }).length).toBeLessThan(12);
+  }
+});
+
 test("polygons are valid, share their points, and have the areas of the cells", () => {
   const random = generator(32);
   for (let run = 0; run < (isThorough ? 8 : 2); ++run) {

@@ -41,6 +41,7 @@ test.each(
       }
       const expected = expectedWeights(diagram, window, x, y, r);
       expect(found.weights.reduce((a, b) => a + b)).toBeCloseTo(1, 12);
+      expect(found.weights.every((weight) => weight > 0)).toBe(true);
       found.ids.forEach((id, n) => {
         expect(found.weights[n]).toBeCloseTo(expected.get(id) ?? 0, 7);
         expected.delete(id);

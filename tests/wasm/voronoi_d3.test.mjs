@@ -51,6 +51,47 @@ test.each([0, 5])("equal weights %p: the polygons of d3-delaunay", (r) => {
   }
 });
 
+// Where four cells meet, d3-delaunay counts the edge of length 0 neither (but for rounding, as of
+// 0.1).
+test.each([1, 0.1, 7])("a lattice of unit %p has the neighbors of d3-delaunay", (unit) => {
+  const points = Array.from({ length: 25 }, (_, k) => [unit * Math.floor(k / 5), unit * (k % 5)]);
+  const bounds = [-0.5 * unit, -0.5 * unit, 4.5 * unit, 4.5 * unit];
+  const [xmin, ymin, xmax, ymax] = bounds;
+  const octagon = [
+    [xmin, ymin],
+    [2 * unit, ymin - unit],
+    [xmax, ymin],
+    [xmax + unit, 2 * unit],
+    [xmax, ymax],
+    [2 * unit, ymax + unit],
+    [xmin, ymax],
+    [xmin - unit, 2 * unit],
+  ];
+  const theirs = Delaunay.from(points).voronoi(bounds);
+  const diagram = new Diagram(points.flatMap(([x, y]) => [x, y, 0]));
+  for (const [window, options] of [[bounds], [[octagon]], [bounds, { distance: 0.75 * unit }]]) {
+    const ours = diagram.voronoi(window, options);
+    for (const id of diagram.ids()) {
+      const beside = [
+        id - 5,
+        id + 5,
+        ...(id % 5 > 0 ? [id - 1] : []),
+        ...(id % 5 < 4 ? [id + 1] : []),
+      ];
+      const expected = new Set(beside.filter((other) => other >= 0 && other < 25));
+      expect(new Set(ours.neighbors(id))).toEqual(expected);
+      if (unit !== 0.1) expect(new Set(theirs.neighbors(id))).toEqual(expected);
+    }
+    expect(ours.edgeCurves().sites).toHaveLength(2 * 40);
+    for (const id of diagram.ids())
+      expect(ours.cellCurves(id).neighbors.filter((other) => other !== -1)).toHaveLength(
+        ours.neighbors(id).length,
+      );
+  }
+  expect(diagram.voronoi(bounds).render().match(/M/g)).toHaveLength(40);
+  expect(diagram.voronoi([octagon]).render().match(/M/g)).toHaveLength(40);
+});
+
 const coordinate = fc.oneof(
   fc.integer({ min: -6, max: 6 }),
   fc.double({ min: -50, max: 50, noNaN: true }).map((x) => (Math.abs(x) < 1e-90 ? 0 : x)),

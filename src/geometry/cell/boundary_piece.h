@@ -21,9 +21,12 @@ struct BoundaryPiece {
   /// Is nothing on the right, because the site's reach ends there, or the neighbor's
   /// (reach_cell.h)?
   bool isAtReach = false;
+  /// Is it rounding, as the edge but touches the window's border or is a point
+  /// (DelaunayGraph::isPoint)?
+  bool isTouch = false;
 
   /// The site on the right, or kNoSite.
-  [[nodiscard]] SiteId sharedWith() const { return isAtReach ? kNoSite : neighbor; }
+  [[nodiscard]] SiteId sharedWith() const { return isAtReach || isTouch ? kNoSite : neighbor; }
 };
 
 struct Cell {

@@ -344,12 +344,16 @@ void NaturalNeighbors::findWithSmallDiagram(const Site& q) {
   for (std::size_t k = 0; k < shares_.size(); ++k) shares_[k].weight = before[k] - after[k];
 }
 
-/// To a sum of 1. Rounding can have made some of them negative.
+/// To a sum of 1, without those of 0. Rounding can have made some of them negative.
 void NaturalNeighbors::normalize() {
   double sum = 0;
   for (NaturalShare& share : shares_) sum += share.weight = std::max(0.0, share.weight);
   if (!(sum > 0 && sum < kInfinite)) return shares_.clear();
-  for (NaturalShare& share : shares_) share.weight /= sum;
+  std::size_t kept = 0;
+  for (const auto& [site, weight] : shares_) {
+    if (weight > 0) shares_[kept++] = {site, weight / sum};
+  }
+  shares_.resize(kept);
 }
 
 void interpolate(const DiagramCore& core, NaturalNeighbors& neighbors,
@@ -368,9 +372,7 @@ void interpolate(const DiagramCore& core, NaturalNeighbors& neighbors,
       return start;
     }
     double sum = 0;
-    for (const NaturalShare& share : shares) {
-      if (share.weight > 0) sum += share.weight * values[core.siteOf(share.site)];
-    }
+    for (const NaturalShare& share : shares) sum += share.weight * values[core.siteOf(share.site)];
     results[k] = sum;
     return slotOf(shares.front().site);
   });

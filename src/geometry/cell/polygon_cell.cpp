@@ -5,10 +5,7 @@
 namespace apollonius::internal {
 
 PolygonCellClipper::PolygonCellClipper(const ClippedDiagram& clippedDiagram, Parts parts)
-    : CellClipper(parts),
-      clippedDiagram_(clippedDiagram),
-      rings_(parts),
-      rankOf_(clippedDiagram.crossingCount(), 0) {}
+    : CellClipper(parts), clippedDiagram_(clippedDiagram), rings_(parts) {}
 
 const Cell& PolygonCellClipper::find(Slot site) {
   cell_.clear();
@@ -25,7 +22,7 @@ const Cell& PolygonCellClipper::find(Slot site) {
       for (const Side& side : sides_) addPiece(side, nullptr, nullptr);
       rings_.closeRing();
     }
-    for (std::uint32_t k = 0; k < exits_.size(); ++k) rankOf_[exits_[k].crossing] = k;
+    sortRanks();
     isUsed_.assign(entries_.size(), 0);
     // Between the cell's first edge and an exit, this many more rings have entered than left
     // as the winding number at the first edge's start says; so that many entries further on is the
@@ -37,7 +34,7 @@ const Cell& PolygonCellClipper::find(Slot site) {
         isUsed_[k] = 1;
         const Crossing& entry = clippedDiagram_.crossing(entries_[k].crossing);
         addBoundaryChain(entry);
-        const std::int64_t exit = rankOf_[entry.next], rank = exit + winding;
+        const std::int64_t exit = rankOf(entry.next), rank = exit + winding;
         const std::int64_t turns = rank >= 0 ? rank / count : -((count - 1 - rank) / count);
         k = static_cast<std::size_t>(rank - turns * count);
         const Event &from = exits_[static_cast<std::size_t>(exit)], &to = entries_[k];
@@ -76,6 +73,18 @@ void PolygonCellClipper::listSides(VertexId v) {
       (isExit ? exits_ : entries_).push_back({c, number});
     }
   }
+}
+
+void PolygonCellClipper::sortRanks() {
+  ranks_.clear();
+  for (std::uint32_t k = 0; k < exits_.size(); ++k) ranks_.push_back({exits_[k].crossing, k});
+  sortByKey(ranks_);
+}
+
+/// The place of one of the cell's exits among them.
+std::uint32_t PolygonCellClipper::rankOf(std::uint32_t crossing) const {
+  const auto isBefore = [](const Keyed& rank, std::uint32_t exit) { return rank.key < exit; };
+  return std::lower_bound(ranks_.begin(), ranks_.end(), crossing, isBefore)->value;
 }
 
 /// A part of a segment of the polygon.
@@ -117,9 +126,11 @@ void PolygonCellClipper::addPiece(const Side& side, const Crossing* from, const 
   const Conic curve = !isHere    ? Conic::segment(a, b)
                       : e0 <= e1 ? clippedDiagram_.pieceInside(edge, e0, e1, a, b)
                                  : clippedDiagram_.pieceInside(edge, e1, e0, b, a).reversed();
-  if (!(curve.p0 == curve.p2))
-    rings_.add(
-        {isReference ? curve : curve.reversed(), side.neighbor, segmentOf(from), segmentOf(to)});
+  const bool isTouch =
+      clippedDiagram_.isTouch(side.edge, edge, curve, from == nullptr && to == nullptr);
+  if (!isTouch || !(curve.p0 == curve.p2))
+    rings_.add({isReference ? curve : curve.reversed(), side.neighbor, segmentOf(from),
+                segmentOf(to), false, isTouch});
 }
 
 /// Of the polygon, on which a crossing is.
@@ -140,7 +151,7 @@ void PolygonCellClipper::addInteriorRings(Slot site) {
       at = p;
       segment = segment + 1 == polygon.starts[interiorRing.value + 1] ? first : segment + 1;
     }
-    rings_.closeRing();
+    rings_.closeRing(true);
   }
 }
 

@@ -12,7 +12,7 @@ class PolygonCellClipper final : public CellClipper {
  public:
   PolygonCellClipper(const ClippedDiagram& clippedDiagram, Parts parts);
 
-  /// Cost: O(d + crossings of the cell + points of the region within it), and for its
+  /// Cost: O(d + c log c + points of the region within the cell) for its c crossings, and for its
   /// holes what ring_nesting.h says: about O(log n) each for n pieces and parts.
   const Cell& find(Slot site) override;
 
@@ -32,6 +32,8 @@ class PolygonCellClipper final : public CellClipper {
   };
 
   void listSides(VertexId v);
+  void sortRanks();
+  [[nodiscard]] std::uint32_t rankOf(std::uint32_t crossing) const;
   void addBoundaryChain(const Crossing& entry);
   void addBoundary(const Event& from, const Event& to, std::size_t sides);
   void addPiece(const Side& side, const Crossing* from, const Crossing* to);
@@ -44,8 +46,8 @@ class PolygonCellClipper final : public CellClipper {
   RingSorter rings_;
   FlatArray<Side> sides_;
   FlatArray<Event> exits_, entries_;
-  FlatArray<std::uint32_t> rankOf_;  // by crossing: of exits_
-  FlatArray<char> isUsed_;           // by entry
+  FlatArray<Keyed> ranks_;  // of exits_, by crossing
+  FlatArray<char> isUsed_;  // by entry
 };
 
 }  // namespace apollonius::internal

@@ -92,7 +92,7 @@ void ReachCellClipper::cutEdge(const BoundaryPiece& piece, std::uint32_t source,
     const bool isFirst = k == 0 && !reached.isFromCut;
     const bool isLast = k + 1 == edge.count && !reached.isToCut;
     pieces_.push_back({{reached.curve, piece.neighbor, isFirst ? piece.fromSegment : kNoSegment,
-                        isLast ? piece.toSegment : kNoSegment, !reached.isShared},
+                        isLast ? piece.toSegment : kNoSegment, !reached.isShared, piece.isTouch},
                        reached.isFromCut,
                        reached.isToCut,
                        source});

@@ -63,9 +63,9 @@ ReachedEdge reachedEdge(const Site& site, ReachOfSite reach, const Site& neighbo
   if (own == 0) return found;
   const auto add = [&](Place from, Place to, bool isShared, bool isFromCut, bool isToCut) {
     const bool isWhole = from.e == start.e && to.e == end.e;
-    found.pieces[found.count++] = {
-        isWhole ? piece : pieceOf(bisector, from.e, to.e, from.point, to.point), isShared,
-        isFromCut, isToCut};
+    const Conic part = isWhole ? piece : pieceOf(bisector, from.e, to.e, from.point, to.point);
+    found.pieces[found.count++] = {part, isShared && (isWhole || !isTouch(bisector, part)),
+                                   isFromCut, isToCut};
   };
   // Where the site's reach begins and ends, and within that, where both reach.
   const bool isFromCut = start.e<1 / own, isToCut = end.e> own;

@@ -22,7 +22,7 @@ struct ReachOfSite {
 /// A part of an edge, counter-clockwise about the site that asks.
 struct ReachedPiece {
   Conic curve;
-  bool isShared;  ///< is it within the neighbor's reach, too?
+  bool isShared;  ///< is it within the neighbor's reach, too, and not but touches it?
   /// Does it end where the site's reach does, rather than where the edge given does?
   bool isFromCut, isToCut;
 };

@@ -102,8 +102,11 @@ void RectangleCellClipper::link(Slot site) {
     if (isUsed_[k] != 0) continue;
     while (isUsed_[k] == 0) {
       isUsed_[k] = 1;
-      cell_.pieces.push_back({pieces_[k].clipped.curve, pieces_[k].neighbor});
-      if (pieces_[k].clipped.toSide == kNoSide) {
+      const ClippedPiece& piece = pieces_[k].clipped;
+      if (!piece.isTouch || !(piece.curve.p0 == piece.curve.p2))
+        cell_.pieces.push_back(
+            {piece.curve, pieces_[k].neighbor, kNoSegment, kNoSegment, false, piece.isTouch});
+      if (piece.toSide == kNoSide) {
         k = (k + 1) % static_cast<std::uint32_t>(pieces_.size());
         continue;
       }
@@ -135,6 +138,7 @@ void RectangleCellClipper::wholeWindow() {
 void RectangleCellClipper::closePart() {
   const std::uint32_t start = cell_.starts.back();
   const auto pieces = std::span(cell_.pieces).subspan(start);
+  if (pieces.empty()) return;
   // Of its own first point, which is the same after any history: a sliver is there after all of
   // them, or after none.
   const auto hasArea = [&] {

@@ -22,7 +22,7 @@ void RingSorter::clear(Point center) {
   nesting_.clear();
 }
 
-void RingSorter::closeRing() {
+void RingSorter::closeRing(bool isGiven) {
   const std::uint32_t start = found_.starts.back();
   const auto pieces = std::span(found_.pieces).subspan(start);
   if (pieces.empty()) return;
@@ -36,7 +36,7 @@ void RingSorter::closeRing() {
     for (const Point p : {piece.curve.p1, piece.curve.p2}) box.include(p);
   }
   const Area area = areaOf(pieces, pieces.front().curve.p0);
-  const double thinnest = std::max(area.rounding, kThinnest * size * reach);
+  const double thinnest = std::max(area.rounding, isGiven ? 0 : kThinnest * size * reach);
   if (absolute(area.value) > thinnest || parts_ == Parts::kThinToo) {
     found_.starts.push_back(static_cast<std::uint32_t>(found_.pieces.size()));
     if (area.value > 0) nesting_.add(static_cast<std::uint32_t>(areas_.size()), area.value, box);

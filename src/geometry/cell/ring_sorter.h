@@ -19,7 +19,8 @@ class RingSorter final : private NestedRings {
   /// To the ring under way.
   void add(const BoundaryPiece& piece) { found_.pieces.push_back(piece); }
   /// Ends a ring; takes it back if it has no area up to rounding, unless thin parts are asked for.
-  void closeRing();
+  /// Rounding has moved the places where a ring meets edges, but not one that is given.
+  void closeRing(bool isGiven = false);
   /// Puts them into a cell without parts, each hole behind the outer ring around it. Cost: for each
   /// hole what ring_nesting.h says, about O(log n) for n pieces and rings.
   void sortInto(Cell& cell);

@@ -7,7 +7,7 @@ namespace apollonius::internal {
 
 namespace {
 
-void drawClosed(std::span<const BoundaryPiece> ring, double tolerance, Path& path) {
+void drawClosed(std::span<const BoundaryPiece> ring, Tolerance tolerance, Path& path) {
   const Point start = ring.front().curve.p0;
   path.move(start.x, start.y);
   for (std::size_t k = 0; k < ring.size(); ++k) {
@@ -20,12 +20,12 @@ void drawClosed(std::span<const BoundaryPiece> ring, double tolerance, Path& pat
 
 }  // namespace
 
-void drawCell(const Cell& cell, double tolerance, Path& path) {
+void drawCell(const Cell& cell, Tolerance tolerance, Path& path) {
   for (std::size_t ring = 0; ring < cell.ringCount(); ++ring)
     drawClosed(cell.ring(ring), tolerance, path);
 }
 
-void writeCells(const DiagramCore& core, const Clipping& clipping, double tolerance,
+void writeCells(const DiagramCore& core, const Clipping& clipping, Tolerance tolerance,
                 unsigned digits, Portion& portion, CellPaths& paths) {
   paths = {};
   const auto cells = clipping.cells(Parts::kWithArea);

@@ -11,6 +11,7 @@
 #include "geometry/cell/cell_clipper.h"
 #include "geometry/cell/cell_measures.h"
 #include "geometry/cell/natural_neighbors.h"
+#include "geometry/curve/tolerance.h"
 #include "geometry/window/border.h"
 #include "geometry/window/rectangle.h"
 
@@ -44,7 +45,7 @@ class Clipping {
   /// Of new circles whose cells end at the window only, not at a distance from their sites.
   [[nodiscard]] virtual std::unique_ptr<NaturalNeighbors> naturalNeighbors() const = 0;
   /// Each edge inside once; render.h says how portions work.
-  virtual void drawEdges(double tolerance, Portion& portion, Path& path) const = 0;
+  virtual void drawEdges(Tolerance tolerance, Portion& portion, Path& path) const = 0;
 };
 
 }  // namespace apollonius::internal

@@ -16,8 +16,9 @@ std::unique_ptr<CellClipper> PolygonClipping::cells(Parts parts) const {
 
 void PolygonClipping::visitEdges(EdgeVisitor& visitor) const {
   clippedDiagram_.visitEdges(VertexPrecision::kReproducible,
-                             [&](HalfedgeId h, const Edge&, const InsideInterval& piece) {
-                               visitor.visit(h, piece.curve);
+                             [&](HalfedgeId h, const Edge& edge, const InsideInterval& piece) {
+                               if (!clippedDiagram_.isTouch(h, edge, piece))
+                                 visitor.visit(h, piece.curve);
                              });
 }
 
@@ -29,7 +30,7 @@ std::unique_ptr<NaturalNeighbors> PolygonClipping::naturalNeighbors() const {
   return std::make_unique<NaturalNeighbors>(clippedDiagram_, grid());
 }
 
-void PolygonClipping::drawEdges(double tolerance, Portion& portion, Path& path) const {
+void PolygonClipping::drawEdges(Tolerance tolerance, Portion& portion, Path& path) const {
   internal::drawEdges(clippedDiagram_, tolerance, portion, path);
 }
 

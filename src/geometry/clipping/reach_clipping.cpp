@@ -55,7 +55,7 @@ void ReachClipping::measureCells(Measure what, std::vector<double>& measures) co
   sums.list(measures);
 }
 
-void ReachClipping::drawEdges(double tolerance, Portion& portion, Path& path) const {
+void ReachClipping::drawEdges(Tolerance tolerance, Portion& portion, Path& path) const {
   const IdPool& ids = core_.ids();
   const auto clipper = cells(Parts::kWithArea);
   for (; portion.cursor < ids.slots(); ++portion.cursor) {

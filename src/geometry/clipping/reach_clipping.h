@@ -21,7 +21,7 @@ class ReachClipping final : public Clipping {
   void measureCells(Measure what, std::vector<double>& measures) const override;
   [[nodiscard]] std::unique_ptr<NaturalNeighbors> naturalNeighbors() const override;
   /// And where cells end without a neighbor.
-  void drawEdges(double tolerance, Portion& portion, Path& path) const override;
+  void drawEdges(Tolerance tolerance, Portion& portion, Path& path) const override;
 
  private:
   const DiagramCore& core_;

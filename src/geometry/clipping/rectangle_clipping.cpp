@@ -11,9 +11,10 @@ std::unique_ptr<CellClipper> RectangleClipping::cells(Parts parts) const {
 }
 
 void RectangleClipping::visitEdges(EdgeVisitor& visitor) const {
-  forEachClippedPiece(
-      core_.delaunay(), box_, VertexPrecision::kReproducible,
-      [&](HalfedgeId h, const ClippedPiece& piece) { visitor.visit(h, piece.curve); });
+  forEachClippedPiece(core_.delaunay(), box_, VertexPrecision::kReproducible,
+                      [&](HalfedgeId h, const ClippedPiece& piece) {
+                        if (!piece.isTouch) visitor.visit(h, piece.curve);
+                      });
 }
 
 void RectangleClipping::measureCells(Measure what, std::vector<double>& measures) const {
@@ -24,7 +25,7 @@ std::unique_ptr<NaturalNeighbors> RectangleClipping::naturalNeighbors() const {
   return std::make_unique<NaturalNeighbors>(core_, box_);
 }
 
-void RectangleClipping::drawEdges(double tolerance, Portion& portion, Path& path) const {
+void RectangleClipping::drawEdges(Tolerance tolerance, Portion& portion, Path& path) const {
   internal::drawEdges(core_, box_, tolerance, portion, path);
 }
 

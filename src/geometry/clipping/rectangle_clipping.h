@@ -19,7 +19,7 @@ class RectangleClipping final : public Clipping {
   void visitEdges(EdgeVisitor& visitor) const override;
   void measureCells(Measure what, std::vector<double>& measures) const override;
   [[nodiscard]] std::unique_ptr<NaturalNeighbors> naturalNeighbors() const override;
-  void drawEdges(double tolerance, Portion& portion, Path& path) const override;
+  void drawEdges(Tolerance tolerance, Portion& portion, Path& path) const override;
 
  private:
   const DiagramCore& core_;

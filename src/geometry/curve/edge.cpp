@@ -80,4 +80,10 @@ Conic pieceOf(const Bisector& bisector, double e0, double e1, Point from, Point 
   return Conic::segment(from, to);
 }
 
+bool isTouch(const Bisector& bisector, const Conic& piece) {
+  const Point p = piece.p0;
+  const double size = absolute(p.x) + absolute(p.y) + length(p - bisector.reference());
+  return length(piece.p2 - p) <= powerOfTwo(-46) * size;
+}
+
 }  // namespace apollonius::internal

@@ -42,14 +42,14 @@ void draw(const Conic& conic, double tolerance, Path& path, int depth) {
 }
 
 /// No finer than this share of the curve's size: about 64 cubic curves at worst.
-double finestFor(const Conic& conic) {
-  return powerOfTwo(-36) * (length(conic.p1 - conic.p0) + length(conic.p2 - conic.p1));
-}
+constexpr double kFinestShare = powerOfTwo(-36);
 
 }  // namespace
 
-void drawConic(const Conic& conic, double tolerance, Path& path) {
-  draw(conic, std::max(tolerance, finestFor(conic)), path, Conic::kMostHalvings);
+void drawConic(const Conic& conic, Tolerance tolerance, Path& path) {
+  const double size = length(conic.p1 - conic.p0) + length(conic.p2 - conic.p1);
+  const double allowed = std::min(tolerance.distance, tolerance.share * size);
+  draw(conic, std::max(allowed, kFinestShare * size), path, Conic::kMostHalvings);
 }
 
 }  // namespace apollonius::internal

@@ -3,11 +3,11 @@
 
 #include "apollonius/path.h"
 #include "geometry/curve/conic.h"
+#include "geometry/curve/tolerance.h"
 
 namespace apollonius::internal {
 
-/// Continues a path that is at conic.p0 to conic.p2, by lines and cubic curves no further than
-/// `tolerance` from the conic.
-void drawConic(const Conic& conic, double tolerance, Path& path);
+/// Continues a path that is at conic.p0 to conic.p2, by lines and cubic curves within a tolerance.
+void drawConic(const Conic& conic, Tolerance tolerance, Path& path);
 
 }  // namespace apollonius::internal

@@ -12,7 +12,7 @@ namespace {
 
 /// Continues a path, which is at center + radius · turn.from, along the circle, in pieces of a
 /// quarter at most.
-void drawArc(Point center, double radius, const HullTurn& turn, double tolerance, Path& path) {
+void drawArc(Point center, double radius, const HullTurn& turn, Tolerance tolerance, Path& path) {
   const bool isForwards = dot(turn.from, turn.to) >= 0;
   if (turn.sign == Sign::kZero && dot(turn.from, turn.to) > 0) return;
   visitQuarters(turn.from, turn.to, turn.sign != Sign::kNegative && isForwards,
@@ -35,7 +35,7 @@ HullTurn hullTurnOf(const DelaunayGraph& delaunay, HalfedgeId h) {
   return {from, to, turnOfHull(delaunay.site(graph.origin(h)), before, after, right, left)};
 }
 
-void drawHull(const DiagramCore& core, double tolerance, Path& path) {
+void drawHull(const DiagramCore& core, Tolerance tolerance, Path& path) {
   const DelaunayGraph& delaunay = core.delaunay();
   if (delaunay.visibleCount() == 1) {
     const Site& site = delaunay.site(delaunay.anyVisible());
@@ -60,7 +60,7 @@ void drawHull(const DiagramCore& core, double tolerance, Path& path) {
   if (!isFirst) path.close();
 }
 
-void drawCircle(const Site& site, double tolerance, Path& path) {
+void drawCircle(const Site& site, Tolerance tolerance, Path& path) {
   if (!(site.r > 0)) return;
   const Point center{site.x, site.y};
   Point from{1, 0};

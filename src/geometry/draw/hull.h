@@ -4,13 +4,14 @@
 
 #include "apollonius/path.h"
 #include "diagram/diagram_core.h"
+#include "geometry/curve/tolerance.h"
 #include "predicate/point.h"
 
 namespace apollonius::internal {
 
 /// The hull as one closed figure. A radius below 0 shrinks the hull of the centres' other circles:
 /// meaningful up to a common offset.
-void drawHull(const DiagramCore& core, double tolerance, Path& path);
+void drawHull(const DiagramCore& core, Tolerance tolerance, Path& path);
 
 /// The directions in which the cell of a site of the hull is unbounded, counter-clockwise between
 /// two unit vectors. Less than half a turn if `sign` is positive, more if it is negative, as a
@@ -24,6 +25,6 @@ struct HullTurn {
 [[nodiscard]] HullTurn hullTurnOf(const DelaunayGraph& delaunay, HalfedgeId h);
 
 /// The circle of a site as a closed figure; nothing for a radius of 0 or less.
-void drawCircle(const Site& site, double tolerance, Path& path);
+void drawCircle(const Site& site, Tolerance tolerance, Path& path);
 
 }  // namespace apollonius::internal

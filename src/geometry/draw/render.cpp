@@ -32,17 +32,19 @@ bool isUsable(const VoronoiCircle& c, const Rectangle& window) {
          c.error <= powerOfTwo(-40) * (absolute(c.x) + absolute(c.y) + absolute(c.s));
 }
 
-/// Is the edge inside the window and straight up to the tolerance? A quick test that says yes for
-/// most edges of large diagrams. The curvature of the bisector is at most A/B² = 2|r|/p =: c. With
-/// a chord of length l and c l <= 1, the arc turns by less than half a turn and is at most l² c / 7
-/// away from its chord (a circle's: l² c / 8 (1 + …), at c l = 1 a 7.46th). No branch on that:
-/// which edges pass cannot be guessed.
+/// Is the edge inside the window, longer than rounding, and straight up to the tolerance? A quick
+/// test that says yes for most edges of large diagrams. The curvature of the bisector is at most
+/// A/B² = 2|r|/p =: c. With a chord of length l and c l <= 1, the arc turns by less than half a
+/// turn and is at most l² c / 7 away from its chord (a circle's: l² c / 8 (1 + …), at c l = 1
+/// a 7.46th). (c l)² is at most `bend`. No branch on that: which edges pass cannot be guessed.
 bool isPlain(double p, double r, const VoronoiCircle& from, const VoronoiCircle& to,
-             const Rectangle& window, double tolerance) {
+             const Rectangle& window, double tolerance, double bend) {
   if (!isUsable(from, window) || !isUsable(to, window)) return false;
   const double lx = to.x - from.x, ly = to.y - from.y, l2 = lx * lx + ly * ly;
-  return (static_cast<int>(2 * r * l2 <= 7 * p * tolerance) &
-          static_cast<int>(4 * r * r * l2 <= p * p)) != 0;
+  const double error = static_cast<double>(from.error) + static_cast<double>(to.error);
+  return (static_cast<int>(l2 > 2 * error * error) &
+          static_cast<int>(2 * r * l2 <= 7 * p * tolerance) &
+          static_cast<int>(4 * r * r * l2 <= bend * p * p)) != 0;
 }
 
 /// Draws an edge between two vertices inside the window by one line or one cubic, if that will do
@@ -55,7 +57,7 @@ bool isPlain(double p, double r, const VoronoiCircle& from, const VoronoiCircle&
 /// the tangents meet, at t n with t = p / (2 (c · n + r s)), s = rho_a rho_b + a · b, and the
 /// weight is 1 / (t √(2s)).
 bool drawQuickly(const Site& reference, const Site& other, double p, Point from, Point to,
-                 const Rectangle& window, double tolerance, Path& path) {
+                 const Rectangle& window, Tolerance tolerance, Path& path) {
   const Point center{reference.x, reference.y}, c{other.x - reference.x, other.y - reference.y},
       a = from - center, b = to - center;
   const double r = other.r - reference.r, ra = length(a), rb = length(b);
@@ -69,17 +71,19 @@ bool drawQuickly(const Site& reference, const Site& other, double p, Point from,
     return false;
   // As draw() in cubics.cpp, in squares.
   const Point chord = to - from, way = p1 - from;
-  const double l2 = dot(chord, chord), along = dot(way, chord), limit = tolerance * (1 + w);
+  const double l2 = dot(chord, chord), along = dot(way, chord);
   if (!(along >= 0 && along <= l2)) return false;
+  const double allowed =
+      std::min(tolerance.distance * tolerance.distance, tolerance.share * tolerance.share * l2);
   const double height = w * cross(chord, way);
-  if (height * height <= limit * limit * l2) {
+  if (height * height <= (1 + w) * (1 + w) * allowed * l2) {
     path.move(from.x, from.y);
     path.line(to.x, to.y);
     return true;
   }
   const double z = (w - 1) / (w + 1), error = z * z * (0.02 + 0.054 * z);  // cubicError
   const Point up = p1 - middle(from, to);
-  if (!(error * error * dot(up, up) <= tolerance * tolerance)) return false;
+  if (!(error * error * dot(up, up) <= allowed)) return false;
   const double share = 4 * w / (3 * (1 + w));
   const Point first = from + share * way, second = to + share * (p1 - to);
   path.move(from.x, from.y);
@@ -89,8 +93,8 @@ bool drawQuickly(const Site& reference, const Site& other, double p, Point from,
 
 }  // namespace
 
-void drawEdges(const DiagramCore& core, const Rectangle& window, double tolerance, Portion& portion,
-               Path& path) {
+void drawEdges(const DiagramCore& core, const Rectangle& window, Tolerance tolerance,
+               Portion& portion, Path& path) {
   // In blocks, each in several short loops without branches: the time is that of fetching sites and
   // circles from memory, and many fetches overlap if there is little to do and nothing to guess
   // between them. (Half as long as one loop.)
@@ -99,6 +103,7 @@ void drawEdges(const DiagramCore& core, const Rectangle& window, double toleranc
   const Graph& graph = delaunay.graph();
   delaunay.computeMissingCircles();
   const std::size_t count = 3 * graph.faceSlots();
+  const double bend = std::min(1.0, 49 * tolerance.share * tolerance.share);
   std::array<HalfedgeId, kBlock> edges;
   std::array<std::size_t, kBlock> others;  // those of `edges` that are not plain
   std::array<VoronoiCircle, kBlock> starts;
@@ -130,7 +135,8 @@ void drawEdges(const DiagramCore& core, const Rectangle& window, double toleranc
     std::size_t plainCount = 0, otherCount = 0;
     for (std::size_t k = 0; k < edgeCount; ++k) {
       const VoronoiCircle &from = starts[k], &to = delaunay.cachedCircle(faceOf(edges[k]));
-      const bool plain = isPlain(squares[k], differences[k], from, to, window, tolerance);
+      const bool plain =
+          isPlain(squares[k], differences[k], from, to, window, tolerance.distance, bend);
       double* const at = &ends[4 * plainCount];
       at[0] = from.x;
       at[1] = from.y;
@@ -143,6 +149,7 @@ void drawEdges(const DiagramCore& core, const Rectangle& window, double toleranc
     path.segments(ends.data(), plainCount);
     for (std::size_t m = 0; m < otherCount; ++m) {
       const HalfedgeId g = edges[others[m]], h = startsAtReference(delaunay, g) ? g : graph.twin(g);
+      if (delaunay.isPoint(h)) continue;
       const VoronoiCircle &from = starts[others[m]], &to = delaunay.cachedCircle(faceOf(g));
       if (isUsable(from, window) && isUsable(to, window) &&
           drawQuickly(delaunay.site(graph.origin(h)), delaunay.site(graph.target(h)),
@@ -152,31 +159,33 @@ void drawEdges(const DiagramCore& core, const Rectangle& window, double toleranc
       }
       clipEdge(delaunay, h, window, clipped, VertexPrecision::kFast);
       for (int k = 0; k < clipped.count; ++k) {
-        const Conic& curve = clipped.pieces[static_cast<std::size_t>(k)].curve;
-        path.move(curve.p0.x, curve.p0.y);
-        drawConic(curve, tolerance, path);
+        const ClippedPiece& piece = clipped.pieces[static_cast<std::size_t>(k)];
+        if (piece.isTouch) continue;
+        path.move(piece.curve.p0.x, piece.curve.p0.y);
+        drawConic(piece.curve, tolerance, path);
       }
     }
   }
   portion.isDone = true;
 }
 
-void drawEdges(const ClippedDiagram& clippedDiagram, double tolerance, Portion& portion,
+void drawEdges(const ClippedDiagram& clippedDiagram, Tolerance tolerance, Portion& portion,
                Path& path) {
   const DelaunayGraph& delaunay = clippedDiagram.core().delaunay();
   FlatArray<InsideInterval> pieces;
   visitEdges(delaunay, portion, path, [&](HalfedgeId h) {
     if (!clippedDiagram.isAnyInside(h)) return;
-    clippedDiagram.edgeInside(h, VertexPrecision::kFast, pieces);
+    const Edge edge = clippedDiagram.edgeInside(h, VertexPrecision::kFast, pieces);
     for (const InsideInterval& piece : pieces) {
+      if (clippedDiagram.isTouch(h, edge, piece)) continue;
       path.move(piece.curve.p0.x, piece.curve.p0.y);
       drawConic(piece.curve, tolerance, path);
     }
   });
 }
 
-void drawDual(const DiagramCore& core, const Rectangle* window, double tolerance, Portion& portion,
-              Path& path) {
+void drawDual(const DiagramCore& core, const Rectangle* window, Tolerance tolerance,
+              Portion& portion, Path& path) {
   const DelaunayGraph& delaunay = core.delaunay();
   const Graph& graph = delaunay.graph();
   visitEdges(delaunay, portion, path, [&](HalfedgeId h) {
@@ -206,7 +215,7 @@ void drawDual(const DiagramCore& core, const Rectangle* window, double tolerance
   });
 }
 
-void drawSites(const DiagramCore& core, double tolerance, Portion& portion, Path& path) {
+void drawSites(const DiagramCore& core, Tolerance tolerance, Portion& portion, Path& path) {
   const std::size_t limit = portion.commands;
   for (; portion.cursor < core.ids().slots(); ++portion.cursor) {
     if (path.commands.size() >= limit) return;

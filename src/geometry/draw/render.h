@@ -7,25 +7,26 @@
 
 #include "apollonius/path.h"
 #include "diagram/diagram_core.h"
+#include "geometry/curve/tolerance.h"
 #include "geometry/window/polygon_clip.h"
 #include "geometry/window/rectangle.h"
 
 namespace apollonius::internal {
 
 /// Each Voronoi edge inside the window once.
-void drawEdges(const DiagramCore& core, const Rectangle& window, double tolerance, Portion& portion,
-               Path& path);
+void drawEdges(const DiagramCore& core, const Rectangle& window, Tolerance tolerance,
+               Portion& portion, Path& path);
 
 /// What of each edge is inside a region.
-void drawEdges(const ClippedDiagram& clippedDiagram, double tolerance, Portion& portion,
+void drawEdges(const ClippedDiagram& clippedDiagram, Tolerance tolerance, Portion& portion,
                Path& path);
 
 /// The dual graph; with a window also the rays to infinity, cut where they leave it (none from
 /// sites outside).
-void drawDual(const DiagramCore& core, const Rectangle* window, double tolerance, Portion& portion,
-              Path& path);
+void drawDual(const DiagramCore& core, const Rectangle* window, Tolerance tolerance,
+              Portion& portion, Path& path);
 
 /// The circles of all sites, hidden ones too.
-void drawSites(const DiagramCore& core, double tolerance, Portion& portion, Path& path);
+void drawSites(const DiagramCore& core, Tolerance tolerance, Portion& portion, Path& path);
 
 }  // namespace apollonius::internal

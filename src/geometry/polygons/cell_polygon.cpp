@@ -30,7 +30,7 @@ bool hasArea(std::span<const double> ring, bool isHole) {
 }  // namespace
 
 PolygonFinder::PolygonFinder(const DiagramCore& core, CellClipper& cells, const Border& border,
-                             double tolerance)
+                             Tolerance tolerance)
     : core_(core), cells_(cells), border_(border), chords_(border, tolerance) {}
 
 void PolygonFinder::find(Slot site, Rings& rings) {

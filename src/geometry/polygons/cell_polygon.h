@@ -15,7 +15,7 @@ class PolygonFinder {
  public:
   /// Of cells as `cells` clips them at this border. REQUIRES: both live as long.
   PolygonFinder(const DiagramCore& core, CellClipper& cells, const Border& border,
-                double tolerance);
+                Tolerance tolerance);
 
   /// CellClipper::expectAll.
   void expectAll() { cells_.expectAll(); }

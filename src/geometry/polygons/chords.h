@@ -10,6 +10,12 @@
 //   - lies on the same side of the window's border as its curve: the triangle of the curve's ends
 //     and its control point, which holds both, has nothing of the border in it.
 //
+// By default a chord is also close to its curve for the cells on both sides: it is off by a share
+// only of the height of a triangle over the chord that is in the cell. A triangle to the site's
+// centre is, as a cell is star-shaped, but for the window: so it is made lower until nothing of the
+// border is in it. Then what all chords of a cell are off is a share of the cell's area, whatever
+// its size and the window's shape.
+//
 // A piece of an edge is halved until its chord is like that and within the tolerance. What rounding
 // has put out of order, where points are as close as doubles, is left out, for both sides as well.
 #pragma once
@@ -19,6 +25,7 @@
 
 #include "base/flat_array.h"
 #include "geometry/curve/conic.h"
+#include "geometry/curve/tolerance.h"
 #include "geometry/window/border.h"
 #include "geometry/window/polygon.h"
 
@@ -37,7 +44,7 @@ struct EdgePiece {
 class ChordFinder {
  public:
   /// REQUIRES: `border` lives as long.
-  ChordFinder(const Border& border, double tolerance) : border_(border), tolerance_(tolerance) {}
+  ChordFinder(const Border& border, Tolerance tolerance) : border_(border), tolerance_(tolerance) {}
 
   /// The points of a piece, both ends included. Valid until the next call. The same for both sides
   /// only if both give the piece in the same direction.
@@ -49,6 +56,8 @@ class ChordFinder {
   void halve(const Conic& curve, std::uint32_t fromSegment, std::uint32_t toSegment, int depth);
   [[nodiscard]] bool isHalved(const Conic& curve, const Conic& first, const Conic& second,
                               std::uint32_t fromSegment, std::uint32_t toSegment) const;
+  [[nodiscard]] bool isLarge(double sagitta, const Conic& curve, Point site,
+                             std::uint32_t fromSegment, std::uint32_t toSegment) const;
   [[nodiscard]] bool turns(Point from, Point to) const;
   [[nodiscard]] bool spansLittle(Point from, Point to) const;
   [[nodiscard]] bool entersDisc(Point from, Point to) const;
@@ -56,9 +65,9 @@ class ChordFinder {
   void straighten();
 
   const Border& border_;
-  const double tolerance_;
+  const Tolerance tolerance_;
   Point left_, right_;
-  double size_ = 0, allowed_ = 0, finestAtBorder_ = 0, avoided_ = -1;
+  double size_ = 0, allowed_ = 0, finest_ = 0, avoided_ = -1;
   FlatArray<Point> points_;
   bool isAtBorder_ = false;
 };

@@ -22,11 +22,12 @@ constexpr int kMostRounds = 24;
 
 bool Arrangement::split() {
   unify();
-  for (int round = 1; findCuts(); ++round) {
+  for (int round = 1; findCuts();) {
     if (round == kMostRounds) return false;
     cut();
     if (round == kFreeRounds) snap();
     unify();
+    round += areRounded_ ? 1 : 0;
   }
   return true;
 }
@@ -74,13 +75,24 @@ void Arrangement::snap() {
   for (Point& p : points_) p = rounded(p);
 }
 
+/// Where the end of one segment is on another, as long as there are such places: that is exact, and
+/// what overlaps cancels before it is cut at crossings, whose roundings differ. Then at these.
 bool Arrangement::findCuts() {
   cuts_.clear();
+  FlatArray<Cut> crossings;
+  const std::size_t count = points_.size();
   // On a grid of points, segments can have cuts that do not meet: then all pairs are visited.
   SegmentPairs pairs(points_, segments_, box_,
                      unit_.x == 0 ? fewLooks_ : std::numeric_limits<double>::infinity());
-  pairs.visit([&](std::uint32_t k, std::uint32_t m) { cutBoth(k, m); });
+  pairs.visit([&](std::uint32_t k, std::uint32_t m) { cutBoth(k, m, crossings); });
   looks_ += pairs.looks();
+  // With points on a grid ends are moved, too.
+  areRounded_ = cuts_.empty() || unit_.x != 0;
+  if (areRounded_) {
+    cuts_.append({crossings.data(), crossings.size()});
+  } else {
+    points_.resize(count);
+  }
   return !cuts_.empty();
 }
 
@@ -120,7 +132,7 @@ Point Arrangement::crossingOf(const Segment& s, const Segment& t) const {
 }
 
 /// REQUIRES: m < k.
-void Arrangement::cutBoth(std::uint32_t k, std::uint32_t m) {
+void Arrangement::cutBoth(std::uint32_t k, std::uint32_t m, FlatArray<Cut>& crossings) {
   const Segment s = segments_[k], t = segments_[m];
   const Point a = from(s), b = to(s), c = from(t), d = to(t);
   // It begins no further right: unify() has sorted them.
@@ -135,8 +147,8 @@ void Arrangement::cutBoth(std::uint32_t k, std::uint32_t m) {
   const auto number = static_cast<std::uint32_t>(points_.size());
   const Point x = crossingOf(s, t);
   points_.push_back(x);
-  if (!(x == a || x == b)) cuts_.push_back({k, number});
-  if (!(x == c || x == d)) cuts_.push_back({m, number});
+  if (!(x == a || x == b)) crossings.push_back({k, number});
+  if (!(x == c || x == d)) crossings.push_back({m, number});
 }
 
 void Arrangement::cut() {

@@ -61,7 +61,7 @@ class Arrangement {
   void snap();
   bool findCuts();
   bool cutAt(std::uint32_t segment, std::uint32_t point);
-  void cutBoth(std::uint32_t k, std::uint32_t m);
+  void cutBoth(std::uint32_t k, std::uint32_t m, FlatArray<Cut>& crossings);
   [[nodiscard]] Point crossingOf(const Segment& s, const Segment& t) const;
   void cut();
   void listEnds();
@@ -76,7 +76,8 @@ class Arrangement {
   Rectangle box_;
   double fewLooks_;
   std::size_t looks_ = 0;
-  Point unit_;  // of the grid that all points are on; 0: of none
+  bool areRounded_ = false;  // of the last cuts: are they crossings?
+  Point unit_;               // of the grid that all points are on; 0: of none
   FlatArray<Point> points_;
   FlatArray<Segment> segments_;  // after unify(): from comes before to, until orient()
   FlatArray<Cut> cuts_;

@@ -20,6 +20,9 @@ class Border {
   /// curve's ends are on these segments of a polygon, up to rounding, unless they are kNoSegment.
   [[nodiscard]] virtual bool isNear(const Conic& curve, std::uint32_t fromSegment,
                                     std::uint32_t toSegment) const = 0;
+  /// Is nothing of the border in the triangle of the ends of such a curve and a point?
+  [[nodiscard]] virtual bool holds(const Conic& curve, Point apex, std::uint32_t fromSegment,
+                                   std::uint32_t toSegment) const = 0;
   /// Moves a point that rounding has put beyond the window's box to a side of it. May the border
   /// run through it then, where the cell's ring may not know it?
   [[nodiscard]] virtual bool moveInside(Point& point) const = 0;

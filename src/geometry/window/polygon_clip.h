@@ -73,6 +73,16 @@ class ClippedDiagram {
   [[nodiscard]] Conic pieceInside(const Edge& edge, double e0, double e1, Point from,
                                   Point to) const;
 
+  /// Is a piece inside of h's edge but rounding: is the edge a point, or does it but touch the
+  /// border there?
+  [[nodiscard]] bool isTouch(HalfedgeId h, const Edge& edge, const Conic& piece,
+                             bool isWhole) const {
+    return core_.delaunay().isPoint(h) || (!isWhole && internal::isTouch(edge.bisector, piece));
+  }
+  [[nodiscard]] bool isTouch(HalfedgeId h, const Edge& edge, const InsideInterval& piece) const {
+    return isTouch(h, edge, piece.curve, piece.e0 == edge.e0 && piece.e1 == edge.e1);
+  }
+
   /// visit(from, to, segment) for the segments of a ring from a crossing to its next one, or parts
   /// of these.
   template <class Visit>

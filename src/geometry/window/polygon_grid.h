@@ -20,6 +20,10 @@ class PolygonGrid final : public Border {
   /// the segments there.
   [[nodiscard]] bool isNear(const Conic& curve, std::uint32_t fromSegment,
                             std::uint32_t toSegment) const override;
+  [[nodiscard]] bool holds(const Conic& curve, Point apex, std::uint32_t fromSegment,
+                           std::uint32_t toSegment) const override {
+    return !isNear({curve.p0, apex, 1, curve.p2}, fromSegment, toSegment);
+  }
   /// Is surely nothing of the border in a rectangle or on its sides? Cost: the grid's cells that it
   /// meets, and the segments there, until one is.
   [[nodiscard]] bool isClearOf(const Rectangle& box) const;

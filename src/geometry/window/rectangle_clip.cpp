@@ -109,7 +109,9 @@ struct Mark {
 };
 
 ClippedPiece pieceBetween(const Bisector& bisector, const Mark& from, const Mark& to) {
-  return {pieceOf(bisector, from.e, to.e, from.point, to.point), from.side, to.side};
+  const Conic curve = pieceOf(bisector, from.e, to.e, from.point, to.point);
+  const bool isCut = from.side != kNoSide || to.side != kNoSide;
+  return {curve, from.side, to.side, isCut && isTouch(bisector, curve)};
 }
 
 /// Is the edge surely outside the window? Along an edge the distances from its sites, (D/2) cosh t
@@ -132,7 +134,8 @@ void clipEdge(const DelaunayGraph& delaunay, HalfedgeId h, const Rectangle& wind
   clipped.count = 0;
   const Graph& g = delaunay.graph();
   if (isFarAway(delaunay.site(g.origin(h)), delaunay.circle(faceOf(g.twin(h))),
-                delaunay.circle(faceOf(h)), window))
+                delaunay.circle(faceOf(h)), window) ||
+      (precision == VertexPrecision::kReproducible && delaunay.isPoint(h)))
     return;
   clipEdge(Edge(delaunay, h, precision, kept), window, clipped);
 }

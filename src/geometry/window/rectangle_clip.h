@@ -24,7 +24,10 @@ struct ClippedPiece {
   Conic curve;
   signed char fromSide = kNoSide;  ///< the side of the window on which it starts
   signed char toSide = kNoSide;    ///< and ends
-  [[nodiscard]] ClippedPiece reversed() const { return {curve.reversed(), toSide, fromSide}; }
+  bool isTouch = false;            ///< does the edge but touch the border there?
+  [[nodiscard]] ClippedPiece reversed() const {
+    return {curve.reversed(), toSide, fromSide, isTouch};
+  }
 };
 
 /// At most five: each of four lines is crossed upwards once at most, so the window is left four
@@ -36,7 +39,8 @@ struct ClippedEdge {
 
 void clipEdge(const Edge& edge, const Rectangle& window, ClippedEdge& clipped);
 /// Clips the edge dual to h. Edges of one drawing or sum take the same bits, so that they meet.
-/// REQUIRES: startsAtReference.
+/// Nothing is left of an edge that is a point if its ends have the same bits, as those of
+/// kReproducible have: then it does not cross the border. REQUIRES: startsAtReference.
 void clipEdge(const DelaunayGraph& delaunay, HalfedgeId h, const Rectangle& window,
               ClippedEdge& clipped, VertexPrecision precision = VertexPrecision::kReproducible,
               KeptVertices* kept = nullptr);

@@ -17,6 +17,10 @@ class RectangleSides final : public Border {
     return areOn(box_.xmin, a.x, b.x) || areOn(box_.xmax, a.x, b.x) || areOn(box_.ymin, a.y, b.y) ||
            areOn(box_.ymax, a.y, b.y);
   }
+  [[nodiscard]] bool holds(const Conic& /*curve*/, Point apex, std::uint32_t /*fromSegment*/,
+                           std::uint32_t /*toSegment*/) const override {
+    return box_.holds(apex);
+  }
   [[nodiscard]] bool moveInside(Point& p) const override {
     p = box_.nearestTo(p);
     return p.x == box_.xmin || p.x == box_.xmax || p.y == box_.ymin || p.y == box_.ymax;

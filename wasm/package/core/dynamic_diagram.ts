@@ -111,10 +111,11 @@ export abstract class DynamicDiagram<Listed> implements Disposable {
   // --- The graph ---------------------------------------------------------------------------------
 
   /**
-   * The distinct sites whose cells share an edge with this site's, counter-clockwise (on the
-   * sphere, as seen from outside), each where it occurs first; empty for a hidden site. Edges of
-   * length zero count (degenerate position; the plane's graph is triangulated canonically, the
-   * sphere's as rounding decides). O(d). Throws "unknown-site".
+   * The neighbours in the Delaunay graph: the distinct sites whose cells share an edge with this
+   * site's, counter-clockwise (on the sphere, as seen from outside), each where it occurs first;
+   * empty for a hidden site. Edges of length zero count (degenerate position; the plane's graph is
+   * triangulated canonically, the sphere's as rounding decides); to a view's `neighbors` they do
+   * not. O(d). Throws "unknown-site".
    */
   neighbors(id: number): Uint32Array {
     return ofOne(innerOf(this).native, id, (native) => native.neighbors(id));

@@ -22,7 +22,8 @@ export interface PathContext {
 export interface DrawOptions {
   /**
    * Largest distance between a drawn curve and the true one, in the diagram's unit, > 0. By default
-   * 2^-13 of the window's diagonal: a sixth of a pixel where that is 1300 pixels.
+   * 2^-13 of the window's diagonal, a sixth of a pixel where that is 1300 pixels, and not more than
+   * a small share of a cell or curve, so that small ones keep their shapes.
    */
   tolerance?: number | undefined;
   /** Decimal places of the numbers in a path string, 0 to 15; by default all that they have. */

@@ -2,7 +2,7 @@
 import { checkOptions } from "../core/arguments.js";
 import type { NativeShapes } from "../core/native/module.js";
 import { checkedDigits, type DrawOptions, PathString, play } from "../core/path.js";
-import type { NativeWindow } from "./drawing.js";
+import { type NativeWindow, toleranceOf } from "./drawing.js";
 
 // Commands in one portion: some 4000 cells, of which the library keeps edges for their neighbours.
 const kPortion = 1 << 15;
@@ -22,12 +22,14 @@ function digitsFor(tolerance: number): number {
 export function cellPaths(
   native: NativeShapes,
   windowNow: () => NativeWindow,
-  tolerance: number,
   options: DrawOptions | undefined,
 ): (string | null)[] {
   checkOptions(options, "tolerance", "digits");
-  const digits = checkedDigits(options?.digits) ?? digitsFor(tolerance);
+  const tolerance = toleranceOf(options);
+  const given = checkedDigits(options?.digits);
   const window = windowNow();
+  const [, , ...bounds] = window;
+  const digits = given ?? digitsFor(tolerance || native.defaultTolerance(...bounds));
   const paths = new Array<string | null>(native.idLimit()).fill(null);
   const decoder = new TextDecoder();
   for (let cursor = 0, isDone = false; !isDone; ) {

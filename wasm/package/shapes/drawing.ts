@@ -22,6 +22,11 @@ export type NativeWindow = readonly [
 // Commands in one portion of a drawing: few enough to stay in the processor's cache.
 const kPortion = 4096;
 
+/** As the library takes it: 0 is the default. */
+export function toleranceOf(options: { tolerance?: number | undefined } | undefined): number {
+  return checkedTolerance(options?.tolerance, () => 0);
+}
+
 /**
  * Draws portion by portion, between which the context may do anything: even change the diagram, or
  * dispose of the view, whose `windowNow` throws then.
@@ -83,7 +88,7 @@ export function drawWhole(
   options: DrawOptions | undefined,
 ): string | void {
   const window = bounds ?? extentOf(native);
-  const tolerance = checkedTolerance(options?.tolerance, () => native.defaultTolerance(...window));
+  const tolerance = toleranceOf(options);
   return drawn(context, options, (target) =>
     drawInto(target, native, what, () => [null, null, ...window], tolerance),
   );

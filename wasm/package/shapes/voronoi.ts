@@ -2,7 +2,6 @@ import type { CellMoments } from "../../../build/wasm/apollonius.mjs";
 import {
   checkedChoice,
   checkedCount,
-  checkedTolerance,
   checkNumber,
   checkOptions,
   isSiteId,
@@ -25,7 +24,7 @@ import { ApolloniusError } from "../errors.js";
 import { cellPaths } from "./cell_paths.js";
 import { joined, measuresOf, partsOf, type Rings, ringOf } from "./cell_shapes.js";
 import { type Distances, distanceOf, reaches } from "./distances.js";
-import { drawBounds, drawInto, type NativeWindow } from "./drawing.js";
+import { drawBounds, drawInto, type NativeWindow, toleranceOf } from "./drawing.js";
 import { emptyCircles } from "./empty_circles.js";
 import { fitAreas, fitAreasAsync } from "./fit.js";
 import { type CellsCollection, collectionOf, type GeoJSONOptions } from "./geojson.js";
@@ -76,7 +75,8 @@ const [kFirstCells, kMostCells] = [256, 8192];
  * context.
  *
  * Cells have curved edges, and everything is computed from these: drawings and polygons are within
- * a tolerance of them, measures are those of the curves. A clipped cell can be several *parts*
+ * a tolerance of them, measures are those of the curves. (So the areas of polygons are not exactly
+ * those of cells: within 0.5 % by default, however small a cell is.) A clipped cell can be several *parts*
  * (if its site's centre is outside the window), which have holes where the window does.
  *
  * In a window that is not a rectangle, the first call after a change of the diagram finds where the
@@ -174,7 +174,7 @@ export class Voronoi implements Disposable {
   render(context?: PathContext | null, options?: DrawOptions): string | void;
   render(context?: PathContext | null, options?: DrawOptions): string | void {
     const native = Voronoi.#living(this);
-    const tolerance = this.#tolerance(native, options);
+    const tolerance = toleranceOf(options);
     return drawn(context, options, (target) =>
       drawInto(target, native, "edges", () => this.#window, tolerance),
     );
@@ -195,7 +195,7 @@ export class Voronoi implements Disposable {
   renderCell(id: number, context?: PathContext | null, options?: DrawOptions): string | void;
   renderCell(id: number, context?: PathContext | null, options?: DrawOptions): string | void {
     const native = Voronoi.#nativeFor(this, id);
-    const tolerance = this.#tolerance(native, options);
+    const tolerance = toleranceOf(options);
     return drawn(context, options, (target) => {
       const { commands, coordinates } = native.drawCell(...this.#window, id, tolerance);
       play(target, commands, coordinates);
@@ -210,8 +210,7 @@ export class Voronoi implements Disposable {
    */
   renderCells(options?: DrawOptions): (string | null)[] {
     const native = Voronoi.#living(this);
-    const tolerance = this.#tolerance(native, options);
-    return cellPaths(native, () => this.#window, tolerance, options);
+    return cellPaths(native, () => this.#window, options);
   }
 
   // --- Shapes ------------------------------------------------------------------------------------
@@ -219,7 +218,8 @@ export class Voronoi implements Disposable {
   /**
    * A cell as one closed ring, counter-clockwise (y upwards), within the tolerance of the true one.
    * Several parts, and holes, are joined by doubled segments, which have no area; `cellParts`
-   * keeps them apart. O(d log d). Throws "not-finite", "out-of-range", "bad-option" (options).
+   * keeps them apart. By default its area is within 0.5 % of the cell's, whose own is `cellArea`.
+   * O(d log d). Throws "not-finite", "out-of-range", "bad-option" (options).
    */
   cellPolygon(id: number, options: FlatOptions): Float64Array | null;
   cellPolygon(id: number, options?: NestedOptions): Position[] | null;
@@ -275,8 +275,8 @@ export class Voronoi implements Disposable {
   }
 
   /**
-   * All edges inside the window, as curves; an edge of which the window cuts out a part is several.
-   * O(n).
+   * All edges inside the window, as curves, none of length zero (see `neighbors`); an edge of which
+   * the window cuts out a part is several. O(n).
    */
   edgeCurves(): EdgeCurves {
     const { curves, sites } = Voronoi.#living(this).edgeCurves(...this.#window);
@@ -295,9 +295,10 @@ export class Voronoi implements Disposable {
   ): CellsCollection<Properties> {
     const native = Voronoi.#living(this);
     return collectionOf((given) => {
-      const tolerance = this.#tolerance(native, { tolerance: given });
+      const tolerance = toleranceOf({ tolerance: given });
       const polygons = native.cellPolygons(...this.#window, tolerance);
-      return this.#project ? unprojected(polygons, this.#project, tolerance) : polygons;
+      const inMap = tolerance || native.defaultTolerance(...this.#bounds);
+      return this.#project ? unprojected(polygons, this.#project, inMap) : polygons;
     }, options);
   }
 
@@ -315,7 +316,9 @@ export class Voronoi implements Disposable {
 
   /**
    * The sites whose cells have an edge in common with this one's inside the window,
-   * counter-clockwise, each once.
+   * counter-clockwise, each once. An edge has a length, however small: cells that meet in a point
+   * only are no neighbours, and `diagram.neighbors` may have them. That is decided exactly at
+   * Voronoi vertices, and up to rounding where the window or a distance ends an edge. O(d log d).
    */
   neighbors(id: number): Uint32Array {
     const boundary = this.cellCurves(id);
@@ -342,8 +345,9 @@ export class Voronoi implements Disposable {
   /**
    * The `count` largest of such circles, the largest first, none with its centre in one before it:
    * where to put new sites apart from each other. Fewer if there are no more. A view's distance
-   * does not matter. With `inside`: circles about Voronoi vertices, and the largest one of each
-   * cell at the border. Throws "not-finite", "out-of-range" (count), "bad-option",
+   * does not matter. With `inside`, these are chosen from: the circles about Voronoi vertices that do
+   * not cross the border, and the largest one of each cell at the border; so there may be room for
+   * more. Throws "not-finite", "out-of-range" (count), "bad-option",
    * "no-convergence". O(n (log n + count)).
    */
   emptyCircles(count: number, options?: EmptyCircleOptions): EmptyCircle[] {
@@ -606,13 +610,6 @@ export class Voronoi implements Disposable {
   #ringOptions(options: PolygonOptions | undefined) {
     checkOptions(options, "tolerance", "flat");
     const isFlat = checkedChoice("options.flat", options?.flat, [false, true]);
-    return { isFlat, tolerance: this.#tolerance(Voronoi.#living(this), options) };
-  }
-
-  #tolerance(
-    native: NativeShapes,
-    options: { tolerance?: number | undefined } | undefined,
-  ): number {
-    return checkedTolerance(options?.tolerance, () => native.defaultTolerance(...this.#bounds));
+    return { isFlat, tolerance: toleranceOf(options) };
   }
 }
