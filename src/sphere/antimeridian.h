@@ -13,9 +13,11 @@
 
 namespace apollonius::internal::sphere {
 
-/// A point that is within 10^-12 radians of a pole or of the meridian of 180 degrees is moved
-/// there: a boundary through the pole, or along that meridian, would be cut into slivers by its
-/// rounding.
+/// A point that is as near to the meridian of 180 degrees, in radians, or to a pole is moved there:
+/// a boundary along that meridian, or through the pole, would be cut into slivers by its rounding.
+/// About a pole it is farther, so that what is moved to the meridian is moved by 8 degrees of
+/// longitude at most.
+inline constexpr double kNearBorder = 0x1p-43, kNearPole = 0x1p-40;
 [[nodiscard]] Direction snappedToBorder(const Direction& point);
 
 /// Polygons of longitudes and latitudes, one after the other: closed rings, one part after the
