@@ -17,7 +17,7 @@ namespace apollonius::internal::sphere {
 /// a boundary along that meridian, or through the pole, would be cut into slivers by its rounding.
 /// About a pole it is farther, so that what is moved to the meridian is moved by 8 degrees of
 /// longitude at most.
-inline constexpr double kNearBorder = 0x1p-43, kNearPole = 0x1p-40;
+inline constexpr double kNearBorder = 0x1p-40, kNearPole = 0x1p-37;
 [[nodiscard]] Direction snappedToBorder(const Direction& point);
 
 /// Polygons of longitudes and latitudes, one after the other: closed rings, one part after the

@@ -27,13 +27,6 @@ bool isLessThanQuarter(const Direction& up, const Direction& a, const Direction&
 double fromAxis(const Direction& p) { return p.x * p.x + p.y * p.y; }
 bool isAtPole(const Direction& p) { return p.x == 0 && p.y == 0; }
 
-/// A piece so short that its direction and its bend are rounding, or, beside a pole, made by what
-/// is moved there; halving it would not end.
-bool isShort(const Direction& a, const Direction& middle, const Direction& b) {
-  const double most = isAtPole(a) || isAtPole(b) ? 2 * kNearPole : 0x1p-46;
-  return lengthOf(b - a) < most && lengthOf(middle - a) < most;
-}
-
 /// From a point to the great circle through two others.
 double toGreatCircle(const Direction& a, const Direction& point, const Direction& b) {
   const Direction normal = cross(a, b);
@@ -138,6 +131,12 @@ bool ChainMaker::isFine(const MapPoint& a, const MapPoint& middle, const MapPoin
          kRadian * kRadian * line.squaredDistance() <= tolerance_ * tolerance_;
 }
 
+bool ChainMaker::isShort(const Direction& a, const Direction& middle, const Direction& b) const {
+  const bool isBesidePole = joint_ == Joint::kLonLatLine && (isAtPole(a) || isAtPole(b));
+  const double most = isBesidePole ? 2 * kNearPole : 0x1p-46;
+  return lengthOf(b - a) < most && lengthOf(middle - a) < most;
+}
+
 bool ChainMaker::mayTurnBack(const MapPoint& a, const MapPoint& b) const {
   if (joint_ == Joint::kGreatArc) return false;
   // Of a great circle that crosses the equator, some 2^-5 of the length's third power.
@@ -163,7 +162,7 @@ void ChainMaker::subdivide(double width, const MapPoint& first, const MapPoint& 
     const MapPoint middle = pointAt(from + part / 2);
     Fit fit = Fit::kCoarse;
     if (depth == kDeepest) {
-      fit = Fit::kFine;
+      fit = width > 0 ? Fit::kRadial : Fit::kFine;
     } else if (part * width < std::numbers::pi / 2) {
       if (isShort(a.point, middle.point, b.point)) {
         fit = Fit::kFine;
