@@ -13,10 +13,9 @@
 
 namespace apollonius::internal::sphere {
 
-/// A point that is as near to the meridian of 180 degrees, in radians, or to a pole is moved there:
-/// a boundary along that meridian, or through the pole, would be cut into slivers by its rounding.
-/// About a pole it is farther, so that what is moved to the meridian is moved by 8 degrees of
-/// longitude at most.
+/// A point within kNearBorder of the meridian of 180 degrees, in radians, or within kNearPole of a
+/// pole is moved there: a boundary along that meridian, or through the pole, would be cut into
+/// slivers by its rounding. At kNearPole the first changes longitude by less than 8 degrees.
 inline constexpr double kNearBorder = 0x1p-40, kNearPole = 0x1p-37;
 [[nodiscard]] Direction snappedToBorder(const Direction& point);
 

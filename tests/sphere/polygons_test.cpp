@@ -45,8 +45,8 @@ TEST(SphericalPolygons, CutOnesCoverTheRectangleOnce) {
   }
 }
 
-/// Of the cells of sites, cut: they cover the map once, no line crosses another, and no ring has
-/// more than so many points.
+/// The cells of sites, cut, cover the map once, no line crosses another, and no ring has more than
+/// `mostPoints`.
 void expectCover(const SphericalSites& sites, double tolerance, std::size_t mostPoints) {
   std::ostringstream name;
   name.precision(17);

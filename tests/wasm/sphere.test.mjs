@@ -140,20 +140,20 @@ test.each([
   ["half a turn apart, nearly", [-20, 45, 0, 159, 45, 0]],
   ["about the antimeridian", [170, -30, 0.1, -170, -30, 0.1]],
   ["about a meridian", [-20, -20, 0, 20, -20, 0, 20, 20, 0, -20, 20, 0]],
-  ["beside a pole", [5, 90 - 1e-9, 0, 40, 90 - 1e-9, 0, 170, 89, 0]],
+  ["beside a pole", [5, 90 - 1e-9, 0, 40, 90 - 1e-9, 0]],
 ])("%s: borders through poles have few points, and valid polygons", (_, list) => {
   const reader = new GeoJSONReader();
   const diagram = new SphericalDiagram(list);
-  for (const options of [{}, { tolerance: 1e-7 }, { distance: 1.6 }]) {
-    for (const { id, geometry } of diagram.toGeoJSON(options).features) {
+  for (const [distance, tolerance] of [[], [undefined, 1e-7], [1.6]]) {
+    const options = { distance, tolerance };
+    for (const { geometry } of diagram.toGeoJSON(options).features) {
       expect(new IsValidOp(reader.read(geometry)).isValid()).toBe(true);
-      if (options.tolerance && id === 2) continue; // its border with the two is curved
       const rings =
         geometry.type === "Polygon" ? geometry.coordinates : geometry.coordinates.flat();
       for (const ring of rings) expect(ring.length).toBeLessThan(300);
     }
     for (const { id, geometry } of diagram.toGeoJSON({ ...options, winding: "clockwise" }).features)
-      expect(Math.abs(geoArea(geometry) - diagram.cellArea(id, options))).toBeLessThan(0.01);
+      expect(Math.abs(geoArea(geometry) - diagram.cellArea(id, { distance }))).toBeLessThan(0.01);
   }
 });
 
