@@ -105,9 +105,8 @@ bool areSame(const LonLat& a, const LonLat& b) { return a.lon == b.lon && a.lat 
 }  // namespace
 
 Direction snappedToBorder(const Direction& p) {
-  constexpr double kNear = 1e-12;
-  if (p.x * p.x + p.y * p.y < kNear * kNear) return {0, 0, p.z > 0 ? 1.0 : -1.0};
-  if (p.x < 0 && std::abs(p.y) < kNear) return {p.x, 0, p.z};
+  if (p.x * p.x + p.y * p.y < kNearPole * kNearPole) return {0, 0, p.z > 0 ? 1.0 : -1.0};
+  if (p.x < 0 && std::abs(p.y) < kNearBorder) return {p.x, 0, p.z};
   return p;
 }
 

@@ -13,9 +13,10 @@
 
 namespace apollonius::internal::sphere {
 
-/// A point that is within 10^-12 radians of a pole or of the meridian of 180 degrees is moved
-/// there: a boundary through the pole, or along that meridian, would be cut into slivers by its
-/// rounding.
+/// A point within kNearBorder of the meridian of 180 degrees, in radians, or within kNearPole of a
+/// pole is moved there: a boundary along that meridian, or through the pole, would be cut into
+/// slivers by its rounding. At kNearPole the first changes longitude by less than 8 degrees.
+inline constexpr double kNearBorder = 0x1p-40, kNearPole = 0x1p-37;
 [[nodiscard]] Direction snappedToBorder(const Direction& point);
 
 /// Polygons of longitudes and latitudes, one after the other: closed rings, one part after the

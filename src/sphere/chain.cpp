@@ -23,11 +23,9 @@ bool isLessThanQuarter(const Direction& up, const Direction& a, const Direction&
   return dot(toA, toB) - dot(toA, up) * dot(toB, up) > 0;
 }
 
-/// A piece so short that its direction and its bend are rounding, and halving it would not end.
-bool isShort(const Direction& a, const Direction& middle, const Direction& b) {
-  constexpr double kShort = 0x1p-46;
-  return lengthOf(b - a) < kShort && lengthOf(middle - a) < kShort;
-}
+/// The square of the sine of the angle to the nearer pole.
+double fromAxis(const Direction& p) { return p.x * p.x + p.y * p.y; }
+bool isAtPole(const Direction& p) { return p.x == 0 && p.y == 0; }
 
 /// From a point to the great circle through two others.
 double toGreatCircle(const Direction& a, const Direction& point, const Direction& b) {
@@ -36,27 +34,34 @@ double toGreatCircle(const Direction& a, const Direction& point, const Direction
   return length == 0 ? lengthOf(point - a) : std::abs(dot(normal, point)) / length;
 }
 
-/// A segment of the plane of longitude and latitude, in degrees, and how far a point of its curve
-/// is from it.
-struct Deviation {
-  double distance, length;
-};
+/// Ends of a segment of the plane of longitude and latitude, in degrees, which is unrolled about a
+/// point of its curve, the origin.
+struct Segment {
+  Segment(const MapPoint& from, const LonLat& at, const MapPoint& to)
+      : a(unrolled(from, at)), b(unrolled(to, at)) {}
 
-/// The plane is unrolled about the point.
-Deviation fromSegment(const MapPoint& from, const LonLat& at, const MapPoint& to) {
-  const auto unrolled = [&](const MapPoint& end) {
-    // A pole has any longitude.
-    const bool isPole = end.point.x == 0 && end.point.y == 0;
+  static LonLat unrolled(const MapPoint& end, const LonLat& at) {
     const double way = end.at.lon - at.lon;
     const double turn = way > 180 ? 360 : way < -180 ? -360 : 0;
-    return LonLat{isPole ? 0 : way - turn, end.at.lat - at.lat};
-  };
-  const LonLat a = unrolled(from), b = unrolled(to);
-  const double x = b.lon - a.lon, y = b.lat - a.lat;
-  const double square = x * x + y * y;
-  const double along = square == 0 ? 0 : std::clamp(-(a.lon * x + a.lat * y) / square, 0.0, 1.0);
-  return {std::hypot(a.lon + along * x, a.lat + along * y), std::sqrt(square)};
-}
+    // A pole has any longitude.
+    return {isAtPole(end.point) ? 0 : way - turn, end.at.lat - at.lat};
+  }
+
+  [[nodiscard]] double squaredLength(double width = 1) const {
+    const double x = width * (b.lon - a.lon), y = b.lat - a.lat;
+    return x * x + y * y;
+  }
+  /// From the origin, squared. A degree of longitude is as wide as `width` of latitude.
+  [[nodiscard]] double squaredDistance(double width = 1) const {
+    const double x = width * (b.lon - a.lon), y = b.lat - a.lat, square = x * x + y * y;
+    const double along = -(width * a.lon * x + a.lat * y);
+    const double part = square == 0 ? 0 : std::clamp(along / square, 0.0, 1.0);
+    const double aside = width * a.lon + part * x, up = a.lat + part * y;
+    return aside * aside + up * up;
+  }
+
+  LonLat a, b;
+};
 
 /// At an angle and a bearing from a centre.
 Direction pointAt(const Direction& centre, const Frame& frame, double angle, double bearing) {
@@ -107,26 +112,42 @@ const MapPoint& ChainMaker::vertexOf(FaceId face) {
 }
 
 bool ChainMaker::isFine(const MapPoint& a, const MapPoint& middle, const MapPoint& b) const {
-  // Lines of the plane that deviate from their curves by more than a small part of their length
-  // could cross others.
-  constexpr double kLongest = 45, kFlat = 1.0 / 32;
   if (joint_ == Joint::kGreatArc)
     return toGreatCircle(a.point, middle.point, b.point) <= tolerance_;
-  const Deviation line = fromSegment(a, middle.at, b);
-  return line.length <= kLongest &&
-         line.distance <= std::min(tolerance_ * (180 / std::numbers::pi), kFlat * line.length);
+  constexpr double kLongest = 45, kFlat = 1.0 / 32;
+  const Segment line(a, middle.at, b);
+  if (line.squaredLength() > kLongest * kLongest) return false;
+  // In degrees of the sphere, as longitude beside a pole says little. What is within the distance
+  // by which points are moved is not the curve's.
+  const double width = std::sqrt(fromAxis(middle.point));
+  const double aside = kRadian * kRadian * line.squaredDistance(width);
+  if (aside <= kNearBorder * kNearBorder) return true;
+  // Lines that deviate from their curves by more than a small part of their length could cross
+  // others; and so could those that come closer to a pole, where there may be shorter ones, by more
+  // than a small part of the way that is left.
+  const double length = kRadian * kRadian * line.squaredLength(width);
+  const auto toPole = [](const Direction& end) { return isAtPole(end) ? 1 : fromAxis(end); };
+  return aside <= kFlat * kFlat * std::min({length, toPole(a.point), toPole(b.point)}) &&
+         kRadian * kRadian * line.squaredDistance() <= tolerance_ * tolerance_;
+}
+
+bool ChainMaker::isShort(const Direction& a, const Direction& middle, const Direction& b) const {
+  const bool isBesidePole = joint_ == Joint::kLonLatLine && (isAtPole(a) || isAtPole(b));
+  const double most = isBesidePole ? 2 * kNearPole : 0x1p-46;
+  return lengthOf(b - a) < most && lengthOf(middle - a) < most;
 }
 
 bool ChainMaker::mayTurnBack(const MapPoint& a, const MapPoint& b) const {
   if (joint_ == Joint::kGreatArc) return false;
   // Of a great circle that crosses the equator, some 2^-5 of the length's third power.
-  const double length = fromSegment(a, a.at, b).length * (std::numbers::pi / 180);
+  const double length = std::sqrt(Segment(a, a.at, b).squaredLength()) * kRadian;
   return length * length * length > 16 * tolerance_;
 }
 
 void ChainMaker::subdivide(double width, const MapPoint& first, const MapPoint& last,
                            PointAt pointAt, FitOf fitOf, FlatArray<MapPoint>& points) {
-  // Beside a pole, pieces become as short as the distance within which points are moved there.
+  // Where an edge passes a pole, pieces become as short as the distance within which points are
+  // moved there.
   constexpr int kDeepest = 45;
   constexpr double kAside = 19.0 / 64;  // of a piece: where an S is off it, and its middle is not
   MapPoint a = first;
@@ -141,7 +162,7 @@ void ChainMaker::subdivide(double width, const MapPoint& first, const MapPoint& 
     const MapPoint middle = pointAt(from + part / 2);
     Fit fit = Fit::kCoarse;
     if (depth == kDeepest) {
-      fit = Fit::kFine;
+      fit = width > 0 ? Fit::kRadial : Fit::kFine;
     } else if (part * width < std::numbers::pi / 2) {
       if (isShort(a.point, middle.point, b.point)) {
         fit = Fit::kFine;

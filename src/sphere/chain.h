@@ -96,6 +96,9 @@ class ChainMaker {
   [[nodiscard]] bool isOnePiece(VertexId node, VertexId neighbor, const MapPoint& first,
                                 const MapPoint& last) const;
   [[nodiscard]] bool isFine(const MapPoint& a, const MapPoint& middle, const MapPoint& b) const;
+  /// Is a piece so short that its direction and its bend are rounding, or, on a map, the way from a
+  /// pole to what is not moved there? Halving it would not end.
+  [[nodiscard]] bool isShort(const Direction& a, const Direction& middle, const Direction& b) const;
   /// Is a piece so long that a curve which is an S about it, as at the equator of a map, could be
   /// farther away than the tolerance? The middle of such a curve is on the piece.
   [[nodiscard]] bool mayTurnBack(const MapPoint& a, const MapPoint& b) const;

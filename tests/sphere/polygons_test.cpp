@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
+#include <sstream>
 
 #include "geometry/coverage_judge.h"
 #include "sphere/sphere_sets.h"
@@ -13,6 +15,11 @@ namespace apollonius::test {
 namespace {
 
 constexpr double kTolerances[] = {1e-5, 1e-3, 0.1};
+
+bool isOnMapsBorder(const Place& a, const Place& b) {
+  return (std::abs(a.first) == 180 && a.first == b.first) ||
+         (std::abs(a.second) == 90 && a.second == b.second);
+}
 
 TEST(SphericalPolygons, CutOnesCoverTheRectangleOnce) {
   Random random(11);
@@ -25,10 +32,7 @@ TEST(SphericalPolygons, CutOnesCoverTheRectangleOnce) {
         CoverageArrays polygons;
         ASSERT_EQ(diagram.cellPolygons(tolerance, true, {}, polygons), Error::kNone);
         CoverageJudge judge(polygons, 360.0 * 180);
-        judge.expectPairs([](const Place& a, const Place& b) {
-          return (std::abs(a.first) == 180 && a.first == b.first) ||
-                 (std::abs(a.second) == 90 && a.second == b.second);
-        });
+        judge.expectPairs(isOnMapsBorder);
         if (polygons.coordinates.size() < 2000) judge.expectNoCrossings();
         EXPECT_EQ(judge.complaints(), "");
         RingArrays single;
@@ -38,6 +42,114 @@ TEST(SphericalPolygons, CutOnesCoverTheRectangleOnce) {
                                polygons.coordinates.begin()));
       }
     }
+  }
+}
+
+/// The cells of sites, cut, cover the map once, no line crosses another, and no ring has more than
+/// `mostPoints`.
+void expectCover(const SphericalSites& sites, double tolerance, std::size_t mostPoints) {
+  std::ostringstream name;
+  name.precision(17);
+  name << "tolerance " << tolerance;
+  for (const SphericalCircle& s : sites) name << ", " << s.lon << ' ' << s.lat << ' ' << s.r;
+  SCOPED_TRACE(name.str());
+  CoverageArrays polygons;
+  ASSERT_EQ(diagramOf(sites).cellPolygons(tolerance, true, {}, polygons), Error::kNone);
+  CoverageJudge judge(polygons, 360.0 * 180);
+  judge.expectPairs(isOnMapsBorder);
+  if (polygons.coordinates.size() < 2000) judge.expectNoCrossings();
+  ASSERT_EQ(judge.complaints(), "");
+  for (std::size_t ring = 0; ring + 1 < polygons.starts.size(); ++ring)
+    ASSERT_LE(polygons.starts[ring + 1] - polygons.starts[ring], mostPoints);
+}
+
+double wrapped(double lon) { return lon > 180 ? lon - 360 : lon <= -180 ? lon + 360 : lon; }
+
+/// Longitude beside a pole is rounding, and a chain that follows it does not end: it had thousands
+/// of points, and crossed itself. A border that passes a pole is halved until it is there, which
+/// leaves two points at most for each power of 2 of the way, on both sides; a great circle has a
+/// few more. So the tolerance does not matter, and there are at most 2 (2 * 37 + 8) points.
+TEST(SphericalPolygons, BordersAlongMeridiansHaveFewPointsAtAnyTolerance) {
+  Random random(21);
+  for (int lat = -88; lat <= 88; lat += sized(11, 1)) {
+    for (int lon = -180; lon < 180; lon += sized(30, 7)) {
+      const double way = std::floor(random.between(1, 180)), r = random.below(2u) * 0.25;
+      const double latitude = lat, first = lon, second = wrapped(first + way);
+      for (const double tolerance : {1e-9, 1e-3, 1.0})
+        expectCover({{first, latitude, r}, {second, latitude, r}}, tolerance, 164);
+    }
+  }
+  const double most = 164;
+  for (const double meridian : {0.0, 180.0, 17.0}) {
+    const double a = wrapped(meridian - 20), b = wrapped(meridian + 20);
+    expectCover({{a, -20, 0}, {b, -20, 0}, {b, 20, 0}, {a, 20, 0}}, 1e-3, most);
+    expectCover({{a, 50, 0}, {b, 50, 0}, {meridian, 10, 0}, {wrapped(meridian + 180), -80, 0}},
+                1e-3, most);
+  }
+}
+
+/// Sets that are symmetric about a meridian have borders along it, and vertices at poles.
+TEST(SphericalPolygons, OfSetsThatAreSymmetricAboutAMeridianCoverTheMap) {
+  Random random(22);
+  for (int round = 0; round < sized(60, 1000); ++round) {
+    const double meridian = round % 3 == 0 ? 180 : std::floor(random.between(-180, 180));
+    const double heaviest = round % 2 * 0.2;
+    SphericalSites sites;
+    for (std::size_t k = 1 + random.below(std::size_t{5}); k > 0; --k) {
+      const double aside = std::floor(random.between(1, 90)),
+                   lat = std::floor(random.between(-89, 90));
+      const double r = random.between(0, heaviest);
+      sites.push_back({wrapped(meridian + aside), lat, r});
+      sites.push_back({wrapped(meridian - aside), lat, r});
+    }
+    expectCover(sites, 1e-3, 500);
+  }
+  for (std::size_t n = 2; n < 12; ++n) {  // about the poles
+    SphericalSites sites;
+    for (std::size_t k = 0; k < n; ++k)
+      sites.push_back({wrapped(360.0 * static_cast<double>(k) / static_cast<double>(n)), 35, 0.1});
+    expectCover(sites, 1e-3, 164);
+  }
+}
+
+/// Cells there are as small as their distance from the pole, and on the map as wide as it is.
+TEST(SphericalPolygons, OfSitesBesideAPoleCoverTheMap) {
+  Random random(23);
+  for (int round = 0; round < sized(60, 1000); ++round) {
+    const double pole = round % 2 == 0 ? 90 : -90;
+    const auto besidePole = [&](double degrees) {
+      return SphericalCircle{std::floor(random.between(-180, 180)),
+                             pole - std::copysign(degrees, pole), 0};
+    };
+    const double degrees = std::pow(10, -random.between(0, 12));
+    const SphericalCircle first = besidePole(degrees);
+    SphericalCircle other = besidePole(degrees);
+    if (other.lon == first.lon) other.lon = wrapped(first.lon + 90);
+    for (const double tolerance : {1e-4, 1e-2}) {
+      expectCover({first, other}, tolerance, 500);
+      SphericalSites sites = randomSites(random, 4, 0.3);
+      sites.push_back(first);
+      sites.push_back(other);
+      expectCover(sites, tolerance, 1500);
+      sites.clear();
+      for (int k = 0; k < 16; ++k) sites.push_back(besidePole(std::pow(10, -random.between(0, 9))));
+      expectCover(sites, tolerance, 500);
+    }
+  }
+}
+
+/// Seen from one of two sites that are a few roundings apart, all of their border is within a
+/// rounding of two directions. It is halved until it is at the poles and at both sites' turns.
+TEST(SphericalPolygons, OfTwinsWhoseBorderPassesThePolesCoverTheMap) {
+  Random random(24);
+  for (int round = 0; round < sized(60, 1000); ++round) {
+    const double aside = std::pow(10, -random.between(6, 12));
+    const double lon = std::floor(random.between(-179, 179)),
+                 lat = std::floor(random.between(-80, 80));
+    SphericalSites sites = {{lon - aside, lat, 0}, {lon + aside, lat, 0}};
+    expectCover(sites, 1e-3, 300);
+    for (const SphericalCircle& site : randomSites(random, 2, 0)) sites.push_back(site);
+    expectCover(sites, 1e-2, 500);
   }
 }
 

@@ -133,6 +133,30 @@ test.each(sets)("%s: cut polygons are valid and cover the plane once", (_, list)
   }
 });
 
+// Longitude beside a pole is rounding: chains that followed it had thousands of points, and crossed
+// themselves.
+test.each([
+  ["two of one latitude", [-81, 15, 0, -61, 15, 0]],
+  ["half a turn apart, nearly", [-20, 45, 0, 159, 45, 0]],
+  ["about the antimeridian", [170, -30, 0.1, -170, -30, 0.1]],
+  ["about a meridian", [-20, -20, 0, 20, -20, 0, 20, 20, 0, -20, 20, 0]],
+  ["beside a pole", [5, 90 - 1e-9, 0, 40, 90 - 1e-9, 0]],
+])("%s: borders through poles have few points, and valid polygons", (_, list) => {
+  const reader = new GeoJSONReader();
+  const diagram = new SphericalDiagram(list);
+  for (const [distance, tolerance] of [[], [undefined, 1e-7], [1.6]]) {
+    const options = { distance, tolerance };
+    for (const { geometry } of diagram.toGeoJSON(options).features) {
+      expect(new IsValidOp(reader.read(geometry)).isValid()).toBe(true);
+      const rings =
+        geometry.type === "Polygon" ? geometry.coordinates : geometry.coordinates.flat();
+      for (const ring of rings) expect(ring.length).toBeLessThan(300);
+    }
+    for (const { id, geometry } of diagram.toGeoJSON({ ...options, winding: "clockwise" }).features)
+      expect(Math.abs(geoArea(geometry) - diagram.cellArea(id, { distance }))).toBeLessThan(0.01);
+  }
+});
+
 test("points without weights have the neighbours and cells of d3-geo-voronoi", () => {
   const points = sites(400, 0);
   const diagram = SphericalDiagram.from(points);
