@@ -102,7 +102,7 @@ test.each([0, 1, 2, 15, 16, 17, 256, 257, 1000])("%i cells in all formats", asyn
   }
 });
 
-test("areas come out by id, and each section is read once, whatever there is of slices", async () => {
+test("areas come out by id, and each section is read once, however many slices", async () => {
   const random = generator(7);
   const cells = randomCells(500).map((cell) => ({ ...cell, id: Math.floor(300 * random()) }));
   const areas = new Float64Array(300);

@@ -74,11 +74,11 @@ test("CSV: columns by their names, and what is no number", async () => {
 });
 
 test.each([
-  ["a delimiter of the cells", ",", (k) => `stop${k},12;34;56;78;90`],
+  ["semicolons", ",", (k) => `stop${k},12;34;56;78;90`],
   ["cells with commas and tabs", ";", (k) => `a,b,c,d\te\tf${k};g,h,i`],
   ["tabs", "\t", (k) => `a;b;c,d,e,f|${k}\tg`],
   ["bars", "|", (k) => `a;b;c,d,e,f${k}|g`],
-])("CSV: the heading's delimiter is that of every job, whatever is in cells: %s", async (_, to, cells) => {
+])("CSV: every job has the heading's delimiter, beside %s", async (_, to, cells) => {
   const heading = ["name", "lines", "x", "y"].join(to);
   // (where a job guessed for itself, it took another delimiter, and numbers of the second cell)
   const content = lines("\n", (x, y, k) => [cells(k), x, y].join(to));

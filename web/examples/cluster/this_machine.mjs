@@ -1,7 +1,7 @@
 // Without REDIS_URL: a Redis and workers on this machine, for as long as the program that starts
 // them. They hold pipes to it, so they end with it however it ends; nothing of that Redis is kept.
 import { fork, spawn } from "node:child_process";
-import { mkdtempSync } from "node:fs";
+import { mkdtempSync, rmSync } from "node:fs";
 import { availableParallelism, tmpdir } from "node:os";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
@@ -11,10 +11,11 @@ const missing =
   "install redis; or set REDIS_URL to a Redis that runs somewhere (rediss://… with TLS).";
 const kGoOn = "Start this again: what is done is kept.";
 
-// Becomes Redis; beside it waits what ends it when the pipe from here is closed.
+// Becomes Redis; beside it waits, whatever Ctrl-C ends, what ends it when the pipe from here is
+// closed.
 const script = `
 exec 3<&0
-{ read -r nothing <&3; kill -9 $$; rm -rf "$0"; } >/dev/null 2>&1 &
+{ trap '' INT HUP TERM; read -r nothing <&3; kill -9 $$; rm -rf "$0"; } >/dev/null 2>&1 &
 exec redis-server "$@" 3<&- </dev/null`;
 const settings = {
   port: "0", // a socket in a folder of its own, which nobody else may enter
@@ -45,6 +46,7 @@ function startRedis() {
   const server = spawn("sh", ["-c", script, dir, ...words]);
   server.stdin.on("error", () => {}); // that it has ended is told by `ended`
   const ended = watched(server, [server.stdout, server.stderr]);
+  ended.then(() => rmSync(dir, { recursive: true, force: true })); // if there was no `sh`
   return { url, ended, stop: () => server.stdin.end() };
 }
 

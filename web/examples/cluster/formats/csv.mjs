@@ -19,8 +19,8 @@ export async function split(file, { perJob, columns }) {
 const numberOf = (cell) => (cell?.trim() ? Number(cell) : Number.NaN); // Number("") would be 0
 
 /**
- * The delimiter, where the columns are in a line, and where the first point is: after a heading with
- * all the names; or at the start, if the first cells are numbers.
+ * The delimiter, where the columns are in a line, and where the first point is: after a heading
+ * with all the names; or at the start, if the first cells are numbers.
  */
 function layoutOf(file, first, names) {
   const line = first.toString("utf8").trimEnd();
