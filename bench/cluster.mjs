@@ -47,9 +47,10 @@ function write(name, array) {
   return file;
 }
 
-/** A worker that says "Waiting for jobs" as soon as Redis is there, and what it did at its end. */
-function startWorker(folder) {
+/** A worker; it tells what it did when it is ended. */
+function startWorker(folder, env) {
   const child = spawn(process.execPath, [path.join(example, "worker.mjs"), "--folder", folder], {
+    env: { ...process.env, ...env },
     stdio: ["ignore", "pipe", "ignore"],
   });
   let text = "";
@@ -68,10 +69,17 @@ function startWorker(folder) {
 async function measure(program, args, workers, items) {
   const folder = path.join(home, "work");
   rmSync(folder, { recursive: true, force: true });
-  const ends = Array.from({ length: workers }, () => startWorker(folder));
-  execute(process.execPath, [path.join(example, program), "--folder", folder, ...args]);
+  const { startHere } = await import("../web/examples/cluster/this_machine.mjs");
+  const redis = startHere(folder, 0); // and no workers but these, as those tell nothing
+  const env = { REDIS_URL: redis.url };
+  const ends = Array.from({ length: workers }, () => startWorker(folder, env));
+  execute(process.execPath, [path.join(example, program), "--folder", folder, ...args], { env });
   const reports = await Promise.all(ends.map((end) => end()));
-  const parts = path.join(folder, "parts");
+  await redis.close();
+  const parts = path.join(
+    folder,
+    readdirSync(folder).find((name) => name.startsWith("parts-")),
+  );
   const times = readdirSync(parts).map((name) => statSync(path.join(parts, name)).mtimeMs);
   times.sort((a, b) => a - b);
   const share = (times.length - workers) / times.length;

@@ -219,7 +219,7 @@ const rules = [
     may: [
       /^node:/,
       /^\.\/[\w./]+$/,
-      /^\.\.\/formats\/join\.mjs$/,
+      /^\.\.\/(files|formats\/(join|parquet_file))\.mjs$/,
       /^[a-z][\w-]*$/,
       /^stream-json\/(filters|streamers)\/[\w-]+\.js$/,
       /^flatgeobuf\/lib\/mjs\/[\w/-]+\.js$/, // its main file imports OpenLayers
@@ -235,6 +235,7 @@ const rules = [
       // The site's.
       /^\.\.\/\.\.\/tools\/(serve|build_site|site\/list|toolchain\/browser)\.mjs$/,
       /^\.\.\/tests\/wasm\/support\/install_packed\.mjs$/,
+      /^\.\.\/web\/examples\/cluster\/this_machine\.mjs$/,
       /^\/web\/shared\/random_sets\.js$/, // in a page that is made
     ],
   },

@@ -1,6 +1,6 @@
 // Points by workers over a real Redis: whatever is killed or damaged on the way, the result is the
 // single process's, byte for byte. REDIS_SERVER is empty where there is none (tests/run.mjs).
-import { existsSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
+import { existsSync, readdirSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { gzipSync } from "node:zlib";
 import { afterEach, expect, test } from "@jest/globals";
@@ -9,25 +9,21 @@ import { makeVector, RecordBatchFileWriter, Table, tableFromIPC } from "apache-a
 import { Queue } from "bullmq";
 import { asyncBufferFromFile, parquetReadObjects } from "hyparquet";
 import { parquetWriteFile } from "hyparquet-writer";
-import { Redis } from "ioredis";
-import { listParts, partFile } from "../../web/examples/cluster/parts.mjs";
-import { openRedis, stopRedis } from "../../web/examples/cluster/redis.mjs";
-import { kQueue } from "../../web/examples/cluster/run.mjs";
+import { partFile } from "../../web/examples/cluster/parts.mjs";
 import { hashOf, putSnapshot } from "../../web/examples/cluster/snapshots.mjs";
 import { isThorough } from "../support/effort.mjs";
 import { generator, randomCircles } from "../wasm/support/random.mjs";
 import { bytesOf, damage, emptyFolder, writeArray } from "./support/files.mjs";
 import { finish, start, stopAll, until } from "./support/processes.mjs";
+import { connected, partsIn, planOf, startRedis, stopServers } from "./support/redis.mjs";
 
 // `npm run check -- cluster` has 20 million points.
 const pointCount = isThorough ? 20_000_000 : 2_000_000;
 const withRedis = process.env.REDIS_SERVER === "" ? test.skip : test;
 
-let works = []; // folders of the test, in which a Redis may be left over
 afterEach(async () => {
   stopAll();
-  for (const work of works) await stopRedis(work);
-  works = [];
+  await stopServers();
 });
 
 /** Points in the square of the circles. */
@@ -49,7 +45,6 @@ function problem(name, { circles, points }) {
   const ids = diagram.findMany(xy, distances);
   diagram.dispose();
   const work = path.join(folder, "work");
-  works.push(work);
   return { folder, work, snapshot, bytes, hash: hashOf(bytes), file, xy, ids, distances };
 }
 
@@ -71,25 +66,26 @@ withRedis(
     const worker = ["--folder", work, "--lock", "2"];
 
     // A damaged snapshot is there under its hash when the workers come.
-    const { url } = await openRedis(work);
-    const redis = new Redis(url, { maxRetriesPerRequest: null });
-    redis.on("error", () => {});
+    const server = await startRedis({ folder: path.join(folder, "redis") });
+    const shared = { env: { REDIS_URL: server.url } };
+    const redis = connected(server.url);
     await putSnapshot(redis, hash, bytes);
     const key = `apollonius:snapshot:${hash}`;
     const piece = await redis.hgetBuffer(key, "0");
     piece[1000] ^= 4;
     await redis.hset(key, "0", piece);
-    const queue = new Queue(kQueue, { connection: redis });
+    const submit = start("submit.mjs", submission, shared);
+    const { run, queue: name } = await planOf(work);
+    const queue = new Queue(name, { connection: redis });
     queue.on("error", () => {});
-    const submit = start("submit.mjs", submission);
 
     // The first worker is stopped in the middle of a job, and killed.
-    const first = start("worker.mjs", worker);
-    await until(async () => (await listParts(work)).length >= 3);
+    const first = start("worker.mjs", worker, shared);
+    await until(async () => (await partsIn(work)).length >= 3);
     const inHand = await until(async () => {
       first.child.kill("SIGSTOP");
       const active = await queue.getActive();
-      const parts = await listParts(work);
+      const parts = await partsIn(work);
       const unfinished = active.filter(({ data }) => !parts.includes(data.index));
       if (unfinished.length > 0) return unfinished.map(({ data }) => data.index);
       first.child.kill("SIGCONT");
@@ -97,31 +93,31 @@ withRedis(
     });
     first.child.kill("SIGKILL");
     await first.ended;
-    const before = await listParts(work);
+    const before = await partsIn(work);
     for (const index of inHand) expect(before).not.toContain(index);
     expect(await redis.hgetBuffer(key, "0")).not.toEqual(piece); // it was put there anew
 
-    // Redis is killed, and submit starts it with what its append-only file has; then others go on.
+    // Redis is killed, and comes back with what its append-only file has; then others go on.
     await redis.set("before", "the end");
-    const [, pid] = /process_id:(\d+)/.exec(await redis.info("server"));
-    process.kill(Number(pid), "SIGKILL");
-    await until(async () => redis.status !== "ready");
-    const others = [start("worker.mjs", worker), start("worker.mjs", worker)];
+    await server.kill();
+    await server.start();
+    const others = [0, 1].map(() => start("worker.mjs", worker, shared));
     expect(await redis.get("before")).toBe("the end");
     await queue.close();
-    redis.disconnect();
     expect(await submit.ended).toBe(0);
-    expect((await listParts(work)).sort((a, b) => a - b)).toEqual([...Array(jobs).keys()]);
+    expect((await partsIn(work)).sort((a, b) => a - b)).toEqual([...Array(jobs).keys()]);
+    expect(await redis.keys(`*${name}*`)).toEqual([`${name}:alive`]); // which goes by itself
+    redis.disconnect();
 
     // A part is damaged: it is named, and nothing is written; done again, the rest is untouched.
     const collection = ["--folder", work, "--out", path.join(folder, "result")];
-    damage(partFile(work, 7), 0.5);
-    damage(partFile(work, 11), 0);
+    damage(partFile(work, run, 7), 0.5);
+    damage(partFile(work, run, 11), 0);
     const refused = start("collect.mjs", collection);
     expect(await refused.ended).toBe(1);
     expect(refused.output()).toContain(`2 of ${jobs} parts (7, 11)`);
-    expect(readdirSync(folder).filter((name) => name.startsWith("result"))).toEqual([]);
-    await finish("submit.mjs", submission);
+    expect(readdirSync(folder).filter((each) => each.startsWith("result"))).toEqual([]);
+    await finish("submit.mjs", submission, shared); // the workers are still there
     await finish("collect.mjs", collection);
     expect(sameFile(path.join(folder, "result.ids.i32"), ids)).toBe(true);
     expect(sameFile(path.join(folder, "result.distances.f64"), distances)).toBe(true);
@@ -137,33 +133,92 @@ withRedis("submit goes on after it was interrupted or killed, and does nothing t
   const submission = [
     ...["--folder", work, "--snapshot", snapshot, "--points", file, "--per-job", "500"],
   ];
-  const worker = start("worker.mjs", ["--folder", work]);
+  const server = await startRedis({ folder: path.join(folder, "redis") });
+  const shared = { env: { REDIS_URL: server.url } };
+  const worker = start("worker.mjs", ["--folder", work], shared);
   for (const signal of ["SIGINT", "SIGKILL"]) {
-    const { length } = await listParts(work);
-    const submit = start("submit.mjs", submission);
+    const { length } = await partsIn(work);
+    const submit = start("submit.mjs", submission, shared);
     worker.child.kill("SIGCONT");
     // (all of them, if this process was not given any time for so long)
-    await until(async () => (await listParts(work)).length > Math.min(length + 5, 399));
+    await until(async () => (await partsIn(work)).length > Math.min(length + 5, 399));
     worker.child.kill("SIGSTOP"); // or it would end the run alone
     submit.child.kill(signal);
     await submit.ended;
-    await stopRedis(work); // as Ctrl-C does, which reaches it, too
   }
-  const done = (await listParts(work)).map((index) => partFile(work, index));
-  const times = done.map((part) => [part, readFileSync(part, "latin1")]);
+  const { run } = await planOf(work);
+  const done = (await partsIn(work)).map((index) => partFile(work, run, index));
+  const times = done.map((part) => [part, statSync(part).mtimeMs]);
   worker.child.kill("SIGCONT");
-  await finish("submit.mjs", submission);
-  for (const [part, text] of times) expect(readFileSync(part, "latin1")).toBe(text);
+  await finish("submit.mjs", submission, shared);
+  for (const [part, time] of times) expect(statSync(part).mtimeMs).toBe(time);
   await finish("collect.mjs", ["--folder", work, "--out", path.join(folder, "result")]);
   expect(sameFile(path.join(folder, "result.ids.i32"), ids)).toBe(true);
   expect(existsSync(path.join(folder, "result.distances.f64"))).toBe(false);
+  await server.kill();
   worker.child.kill("SIGTERM");
-  expect(await worker.ended).toBe(0); // although Redis has gone with submit
+  expect(await worker.ended).toBe(0); // although Redis has gone
 
   // The folder of one run is not another's.
-  const other = start("submit.mjs", [...submission, "--distances"]);
+  const other = start("submit.mjs", [...submission, "--distances"], shared);
   expect(await other.ended).toBe(1);
   expect(other.output()).toContain("belongs to another run");
+});
+
+withRedis("runs on one Redis, also of the same data, take no jobs from each other", async () => {
+  const { work, snapshot, file, ids, folder } = problem("neighbours", {
+    circles: 5000,
+    points: 100_000,
+  });
+  const server = await startRedis({ folder: path.join(folder, "redis") });
+  const shared = { env: { REDIS_URL: server.url } };
+  const works = [1, 2, 3].map((k) => `${work}-${k}`);
+  // Only the second one has a worker before it has parts; so the first one waits.
+  const submissions = works.map((each, k) => {
+    const perJob = k === 2 ? "400" : "500"; // the first two are the same run in two folders
+    const args = ["--folder", each, "--snapshot", snapshot, "--points", file, "--per-job", perJob];
+    return start("submit.mjs", args, shared);
+  });
+  const workerOf = (each) => start("worker.mjs", ["--folder", each], shared);
+  const second = workerOf(works[1]);
+  expect(await submissions[1].ended).toBe(0);
+  expect(await partsIn(works[0])).toEqual([]);
+  expect(await partsIn(works[2])).toEqual([]);
+  const others = [workerOf(works[0]), workerOf(works[2])];
+  expect(await submissions[0].ended).toBe(0);
+  expect(await submissions[2].ended).toBe(0);
+  for (const each of works) {
+    await finish("collect.mjs", ["--folder", each, "--out", `${each}-result`]);
+    expect(sameFile(`${each}-result.ids.i32`, ids)).toBe(true);
+  }
+  for (const { child, output } of [second, ...others]) {
+    expect(output()).toBe("Waiting for jobs\n"); // and no job failed
+    child.kill("SIGKILL");
+  }
+});
+
+withRedis("a worker whose folder is emptied goes on with the next plan in it", async () => {
+  const { work, snapshot, file, ids, folder } = problem("emptied", {
+    circles: 5000,
+    points: 100_000,
+  });
+  const server = await startRedis({ folder: path.join(folder, "redis") });
+  const shared = { env: { REDIS_URL: server.url } };
+  const worker = start("worker.mjs", ["--folder", work], shared);
+  for (const perJob of ["500", "700", "500"]) {
+    const args = ["--folder", work, "--snapshot", snapshot, "--points", file, "--per-job", perJob];
+    const submit = start("submit.mjs", args, shared);
+    await until(async () => (await partsIn(work)).length > 5);
+    submit.child.kill("SIGKILL"); // in the middle, with jobs in the queue and in hand
+    await submit.ended;
+    for (const each of readdirSync(work))
+      rmSync(path.join(work, each), { recursive: true, maxRetries: 20 }); // while it is written to
+  }
+  const args = ["--folder", work, "--snapshot", snapshot, "--points", file, "--per-job", "900"];
+  await finish("submit.mjs", args, shared);
+  await finish("collect.mjs", ["--folder", work, "--out", path.join(folder, "result")]);
+  expect(sameFile(path.join(folder, "result.ids.i32"), ids)).toBe(true);
+  worker.child.kill("SIGKILL");
 });
 
 withRedis("CSV, Arrow, Parquet and GeoJSON files, and a job that cannot be done", async () => {
@@ -189,11 +244,8 @@ withRedis("CSV, Arrow, Parquet and GeoJSON files, and a job that cannot be done"
   const collection = JSON.stringify({ type: "FeatureCollection", features });
   writeFileSync(path.join(folder, "points.geojson.gz"), gzipSync(collection));
 
-  const workers = [];
   const run = (name) => {
     const own = `${work}-${name}`;
-    works.push(own);
-    workers.push(start("worker.mjs", ["--folder", own]));
     const submission = [
       ...["--folder", own, "--snapshot", snapshot, "--points", path.join(folder, name)],
       ...["--distances", "--columns", "lon,lat", "--per-job", "5000"],
@@ -221,7 +273,6 @@ withRedis("CSV, Arrow, Parquet and GeoJSON files, and a job that cannot be done"
   const bad = start("submit.mjs", run("bad.csv").submission);
   expect(await bad.ended).toBe(1);
   expect(bad.output()).toMatch(/job \d+: .*bad\.csv.* no number: 7,1,north/);
-  for (const { child } of workers) child.kill("SIGTERM");
 });
 
 test("without redis-server it says what to install", async () => {

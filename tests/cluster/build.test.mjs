@@ -7,12 +7,14 @@ import { Diagram } from "apollonius-diagram";
 import { asyncBufferFromFile, parquetMetadataAsync, parquetReadObjects } from "hyparquet";
 import GeoJSONReader from "jsts/org/locationtech/jts/io/GeoJSONReader.js";
 import IsValidOp from "jsts/org/locationtech/jts/operation/valid/IsValidOp.js";
-import { stopRedis } from "../../web/examples/cluster/redis.mjs";
+import { CircleStore } from "../../web/examples/cluster/circle_store.mjs";
+import { tile } from "../../web/examples/cluster/tile.mjs";
 import { isThorough } from "../support/effort.mjs";
 import { generator } from "../wasm/support/random.mjs";
 import { meets, polygonsOf, readFlatGeobuf, readLines } from "./support/cells.mjs";
 import { emptyFolder, readDoubles, writeArray } from "./support/files.mjs";
 import { finish, start, stopAll } from "./support/processes.mjs";
+import { planOf, startRedis, stopServers } from "./support/redis.mjs";
 
 const withRedis = process.env.REDIS_SERVER === "" ? test.skip : test;
 const count = isThorough ? 1_000_000 : 60_000;
@@ -20,10 +22,10 @@ const perTile = isThorough ? 20_000 : 2000;
 const window = [100, 50, 900, 980];
 
 const folder = emptyFolder("build");
-const works = ["work", "work-lon-lat"].map((name) => path.join(folder, name));
+const work = path.join(folder, "work");
 afterEach(async () => {
   stopAll();
-  for (const work of works) await stopRedis(work);
+  await stopServers();
 });
 
 /** Radii over some orders of magnitude, a third of the centres in one cluster; some covered. */
@@ -58,12 +60,14 @@ withRedis(
   async () => {
     const xyr = circles();
     const file = writeArray(path.join(folder, "circles.f64"), xyr);
-    const [work] = works;
-    const workers = [0, 1].map(() => start("worker.mjs", ["--folder", work]));
-    await finish("build.mjs", [
+    const { url } = await startRedis({ folder: path.join(folder, "redis") });
+    const shared = { env: { REDIS_URL: url } };
+    const workers = [0, 1].map(() => start("worker.mjs", ["--folder", work], shared));
+    const args = [
       ...["--folder", work, "--circles", file, "--window", window.join()],
       ...["--per-tile", String(perTile), "--geojson", "--flatgeobuf", "--geoparquet"],
-    ]);
+    ];
+    await finish("build.mjs", args, shared);
     await finish("collect.mjs", ["--folder", work, "--out", path.join(folder, "result")]);
     for (const { child } of workers) child.kill("SIGTERM");
     await Promise.all(workers.map(({ ended }) => ended));
@@ -139,18 +143,16 @@ withRedis(
 withRedis(
   "circles from gzipped CSV, whose columns say that they are longitude and latitude",
   async () => {
-    const [, work] = works;
+    const work = path.join(folder, "work-lon-lat");
     const random = generator(4);
     const xyr = Float64Array.from({ length: 3000 }, (_, k) => (k % 3 === 2 ? 0.01 : 1) * random());
     const text = Array.from({ length: 1000 }, (_, k) => xyr.subarray(3 * k, 3 * k + 3).join());
     const circles = path.join(folder, "circles.csv.gz");
     writeFileSync(circles, gzipSync(`lon,lat,size\n${text.join("\n")}`));
-    const worker = start("worker.mjs", ["--folder", work]);
     const args = ["--folder", work, "--circles", circles, "--columns", "lon,lat,size"];
     await finish("build.mjs", [...args, "--per-tile", "300", "--flatgeobuf", "--geoparquet"]);
     const out = path.join(folder, "lon-lat");
     await finish("collect.mjs", ["--folder", work, "--out", out]);
-    worker.child.kill("SIGTERM");
 
     const areas = readDoubles(`${out}.areas.f64`);
     const { header, features } = await readFlatGeobuf(`${out}.fgb`);
@@ -169,3 +171,61 @@ withRedis(
     );
   },
 );
+
+/** The polygons of all tiles of a plan as the package gives them, in any order. */
+async function polygonsOfTiles(home, tolerance) {
+  const { common, jobs } = await planOf(home);
+  const store = await CircleStore.open(path.join(home, common.store));
+  const found = [];
+  for (const { window: own, halo } of jobs) {
+    const { diagram, ids } = await tile(store, own, halo);
+    const voronoi = diagram.voronoi(own);
+    for (const [k, area] of voronoi.cellAreas().entries()) {
+      if (area === 0) continue;
+      const parts = voronoi.cellParts(k, { tolerance, flat: true }) ?? [];
+      const rings = parts.flatMap((part) => [part, ...part.holes]);
+      found.push(`${ids[k]}: ${rings.map((ring) => ring.join()).join(";")}`);
+    }
+    diagram.dispose();
+  }
+  return found.sort();
+}
+
+withRedis("polygons keep to --tolerance; without it they are the package's own", async () => {
+  const random = generator(8);
+  const some = Float64Array.from({ length: 6000 }, (_, k) => (k % 3 === 2 ? 20 : 1000) * random());
+  const file = writeArray(path.join(folder, "some.f64"), some);
+  const home = path.join(folder, "tolerance");
+  const points = [];
+  for (const tolerance of [undefined, 1, 0.001]) {
+    const args = ["--folder", `${home}-${tolerance}`, "--circles", file, "--per-tile", "300"];
+    if (tolerance) args.push("--tolerance", String(tolerance));
+    await finish("build.mjs", [...args, "--geojson", "--workers", "1"]);
+    const out = `${home}-${tolerance}-cells`;
+    await finish("collect.mjs", ["--folder", `${home}-${tolerance}`, "--out", out]);
+    const features = readLines(`${out}.geojsonl`);
+    const textOf = ({ id, geometry }) => {
+      const rings = polygonsOf(geometry).flat();
+      return `${id}: ${rings.map((ring) => ring.flat().join()).join(";")}`;
+    };
+    const expected = await polygonsOfTiles(`${home}-${tolerance}`, tolerance);
+    expect(features.map(textOf).sort()).toEqual(expected);
+    points.push(
+      features.reduce((sum, { geometry }) => sum + polygonsOf(geometry).flat(2).length, 0),
+    );
+    if (tolerance !== 0.001) continue;
+    for (const { properties, geometry } of features) {
+      const drawn = polygonsOf(geometry)
+        .flat()
+        .reduce((sum, ring) => sum + areaOf(ring), 0);
+      expect(Math.abs(drawn - properties.area)).toBeLessThan(0.001 * 4000); // by its boundary
+    }
+  }
+  expect(points[2]).toBeGreaterThan(2 * points[1]);
+  const other = start("build.mjs", [
+    ...["--folder", `${home}-1`, "--circles", file, "--per-tile", "300", "--geojson"],
+    ...["--tolerance", "2"],
+  ]);
+  expect(await other.ended).toBe(1);
+  expect(other.output()).toContain("belongs to another run");
+});

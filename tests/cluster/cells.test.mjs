@@ -1,12 +1,14 @@
 // Files of cells: what is written is read by the libraries of the formats, and the index of
 // FlatGeobuf finds what is there, for any number of cells in any parts.
+import { readFileSync } from "node:fs";
 import path from "node:path";
 import { expect, test } from "@jest/globals";
 import { asyncBufferFromFile, parquetReadObjects } from "hyparquet";
 import { cellFormats } from "../../web/examples/cluster/cells/index.mjs";
+import { areaSections, join } from "../../web/examples/cluster/tiles.mjs";
 import { generator } from "../wasm/support/random.mjs";
 import { meets, polygonsOf, readFlatGeobuf, readLines } from "./support/cells.mjs";
-import { emptyFolder } from "./support/files.mjs";
+import { emptyFolder, readDoubles } from "./support/files.mjs";
 
 const folder = emptyFolder("cells");
 const window = [0, 0, 100, 100];
@@ -27,19 +29,27 @@ function randomCells(count) {
   });
 }
 
-/** Parts as workers write them and `collect` reads them, of 0, 1, 2, … cells. */
-function partsOf(cells) {
+/**
+ * Parts as workers write them and `collect` reads them, of 0, 1, 2, … cells; `asked` counts how
+ * many times each section of all parts was.
+ */
+function partsOf(cells, { count = 2 ** 41, slice = count, asked = {} } = {}) {
   const parts = [];
   for (let from = 0, size = 0; from < cells.length; from += size++) {
     const some = cells.slice(from, from + size);
-    const areas = Float64Array.from(some.flatMap(({ id, area }) => [id, area]));
-    const sections = { areas: Buffer.from(areas.buffer) };
+    const sections = areaSections(
+      some.flatMap(({ id, area }) => [id, area]),
+      count,
+      slice,
+    );
     for (const [name, { encode }] of Object.entries(cellFormats))
       sections[name] = Buffer.concat(some.map(encode));
     parts.push(sections);
   }
-  return async function* () {
-    yield* parts;
+  return async function* (names) {
+    for (const name of names) asked[name] = (asked[name] ?? 0) + 1;
+    for (const sections of parts)
+      yield Object.fromEntries(names.map((name) => [name, sections[name]]));
   };
 }
 
@@ -89,5 +99,27 @@ test.each([0, 1, 2, 15, 16, 17, 256, 257, 1000])("%i cells in all formats", asyn
     const searched = await readFlatGeobuf(files.flatgeobuf, rect);
     const there = features.filter(({ geometry }) => meets(geometry, rect));
     expect(searched.features.map(ofFeature)).toEqual(there.map(ofFeature));
+  }
+});
+
+test("areas come out by id, and each section is read once, however many slices", async () => {
+  const random = generator(7);
+  const cells = randomCells(500).map((cell) => ({ ...cell, id: Math.floor(300 * random()) }));
+  const areas = new Float64Array(300);
+  for (const { id, area } of cells) areas[id] += area;
+  const common = { count: 300, window, isLonLat: false, cells: Object.keys(cellFormats) };
+  let first;
+  for (const slice of [1000, 300, 299, 100, 7]) {
+    const asked = {};
+    const parts = partsOf(cells, { count: 300, slice, asked });
+    const files = await join(path.join(folder, `slices-${slice}`), parts, common, slice);
+    expect([...readDoubles(files[0])]).toEqual([...areas]);
+    expect(Object.keys(asked)).toHaveLength(Math.ceil(300 / slice) + 3);
+    expect(new Set(Object.values(asked))).toEqual(new Set([1]));
+    const { header } = await readFlatGeobuf(files.find((file) => file.endsWith(".fgb")));
+    expect(header.featuresCount).toBe(500);
+    const contents = files.map((file) => readFileSync(file, "latin1"));
+    first ??= contents;
+    expect(contents.every((content, k) => content === first[k])).toBe(true);
   }
 });

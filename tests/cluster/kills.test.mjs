@@ -1,15 +1,24 @@
 // kill -9 of Redis, of workers, of submit, and of all of them: the result is byte for byte that of
 // an undisturbed run, or submit says why not, ends with 1, and goes on when it is started again.
-import { chmodSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+// Without REDIS_URL, all that a run has started ends with it.
+import { readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { afterEach, expect, test } from "@jest/globals";
 import { Diagram } from "apollonius-diagram";
-import { listParts } from "../../web/examples/cluster/parts.mjs";
-import { startRedis, stopRedis } from "../../web/examples/cluster/redis.mjs";
+import { partFile } from "../../web/examples/cluster/parts.mjs";
 import { isThorough } from "../support/effort.mjs";
 import { generator, randomCircles } from "../wasm/support/random.mjs";
 import { emptyFolder, writeArray } from "./support/files.mjs";
-import { finish, isStack, start, stopAll, until } from "./support/processes.mjs";
+import {
+  childrenOf,
+  finish,
+  isAlive,
+  isStack,
+  start,
+  stopAll,
+  until,
+} from "./support/processes.mjs";
+import { connected, partsIn, planOf, startRedis, stopServers } from "./support/redis.mjs";
 
 const withRedis = process.env.REDIS_SERVER === "" ? test.skip : test;
 const kKills = isThorough ? 100 : 4;
@@ -26,11 +35,9 @@ const submission = [
 ];
 const worker = ["--folder", work, "--lock", "1"];
 
-let servers = []; // folders in which a Redis may be left over
 afterEach(async () => {
   stopAll();
-  for (const each of servers) await stopRedis(each);
-  servers = [];
+  await stopServers();
 });
 
 /** Makes the input, and gives the answers of one process by the names of the results. */
@@ -53,34 +60,7 @@ async function isRight() {
   return expected.every(([name, bytes]) => readFileSync(inFolder(name)).equals(bytes));
 }
 
-// Redis is started by a script that says which process it is, from its first moment on.
-const pidFile = inFolder("redis.pid");
-mkdirSync(inFolder("bin"));
-const script = `#!/bin/sh\necho $$ > '${pidFile}'\nexec '${process.env.REDIS_SERVER}' "$@"\n`;
-writeFileSync(inFolder("bin/redis-server"), script);
-chmodSync(inFolder("bin/redis-server"), 0o755);
-const env = { PATH: `${inFolder("bin")}${path.delimiter}${process.env.PATH}` };
-
-function redisProcess() {
-  try {
-    return Number(readFileSync(pidFile, "utf8")); // 0: it is about to say
-  } catch {
-    return 0;
-  }
-}
-
-/** Kills Redis if there is one. */
-function killRedis() {
-  const pid = redisProcess();
-  if (pid === 0) return;
-  rmSync(pidFile); // another process may get the number
-  try {
-    process.kill(pid, "SIGKILL");
-  } catch {} // it has just ended
-}
-
-const startSubmit = () => start("submit.mjs", submission, { env });
-const startWorkers = () => [0, 1].map(() => start("worker.mjs", worker, { env }));
+const sleep = (seconds) => new Promise((resolve) => setTimeout(resolve, 1000 * seconds));
 
 /** How submit ends: its exit code, or null if it does not. */
 function outcome({ ended }) {
@@ -89,32 +69,34 @@ function outcome({ ended }) {
   return Promise.race([ended, late]).finally(() => clearTimeout(timer));
 }
 
-const sleep = (seconds) => new Promise((resolve) => setTimeout(resolve, 1000 * seconds));
-
 /**
  * A run in a new folder, in which `kill -9` ends some processes, each time when there are some
- * parts and some seconds have gone by. Workers and submit are started again, as somebody would;
- * Redis is not. Resolves to how many times that was before the end, the seconds that the run took,
- * and what submit said if it gave up.
+ * parts and some seconds have gone by. All of them are started again, as somebody would. Resolves
+ * to how many times that was before the end, the seconds that the run took, and what submit said if
+ * it gave up.
  */
-async function killedRun(kills) {
+async function killedRun(kills, settings) {
   rmSync(work, { recursive: true, force: true });
-  rmSync(pidFile, { force: true });
-  servers.push(work);
+  rmSync(inFolder("redis"), { recursive: true, force: true });
+  const redis = await startRedis({ folder: inFolder("redis"), settings });
+  const shared = { env: { REDIS_URL: redis.url } };
+  const startSubmit = () => start("submit.mjs", submission, shared);
+  const startWorkers = () => [0, 1].map(() => start("worker.mjs", worker, shared));
   const began = performance.now();
   let workers = startWorkers();
   let submit = startSubmit();
   let killed = 0;
   const isOver = () => submit.child.exitCode !== null;
   for (const { victims, parts, after, pause } of kills) {
-    await until(async () => isOver() || (await listParts(work)).length >= parts);
+    await until(async () => isOver() || (await partsIn(work)).length >= parts);
     await sleep(after);
     if (isOver()) break;
     ++killed;
-    if (victims.includes("redis")) killRedis();
+    if (victims.includes("redis")) await redis.kill();
     if (victims.includes("workers")) for (const { child } of workers) child.kill("SIGKILL");
     if (victims.includes("submit")) submit.child.kill("SIGKILL");
     await sleep(pause);
+    if (victims.includes("redis")) await redis.start();
     if (victims.includes("workers")) workers = startWorkers();
     if (victims.includes("submit")) submit = startSubmit();
   }
@@ -127,6 +109,7 @@ async function killedRun(kills) {
   }
   stopAll();
   await Promise.all(workers.map(({ ended }) => ended));
+  await redis.kill();
   const text = [message ?? "", ...[submit, ...workers].map(({ output }) => output())].join("\n");
   if (code !== 0) throw new Error(`submit ended with ${code}:\n${text}`);
   if (isStack(text)) throw new Error(`a stack:\n${text}`);
@@ -135,6 +118,7 @@ async function killedRun(kills) {
 }
 
 const groups = [["redis"], ["workers"], ["submit"], ["redis", "workers", "submit"]];
+const kKeeps = [["appendonly yes"], []]; // a Redis that has lost all comes back, too
 
 withRedis(
   `${kKills} kills at random moments change nothing`,
@@ -144,6 +128,7 @@ withRedis(
     const counts = { kills: 0, runs: 0, gaveUp: 0 };
     while (counts.kills < kKills) {
       const victims = groups[counts.runs % groups.length];
+      const settings = kKeeps[Math.floor(2 * random())];
       const pause = random() / 2;
       // At any moment of the run; or of the work, which is a part of it.
       const kills = [
@@ -155,8 +140,8 @@ withRedis(
         const others = groups[Math.floor(groups.length * random())];
         kills.push({ victims: others, parts: 0, after: 2 * random(), pause });
       }
-      const what = JSON.stringify(kills);
-      const { killed, message } = await killedRun(kills).catch((error) => {
+      const what = JSON.stringify([kills, settings]);
+      const { killed, message } = await killedRun(kills, settings).catch((error) => {
         throw new Error(`${what}: ${error.message}`);
       });
       counts.kills += killed;
@@ -170,37 +155,114 @@ withRedis(
   isThorough ? 3_600_000 : undefined,
 );
 
+const isRedis = ({ command }) => command.startsWith("redis-server");
+const isWorker = ({ command }) => command.includes("worker.mjs");
+const isSubmit = ({ command }) => command.includes("submit.mjs");
+
+withRedis.each([
+  ["Redis", isRedis, "SIGKILL", /redis-server ended with SIGKILL/],
+  ["a worker", isWorker, "SIGKILL", /A worker ended with SIGKILL/],
+  ["submit", isSubmit, "SIGKILL", /^$/],
+  ["submit", isSubmit, "SIGINT", /^$/],
+  ["a Redis that hangs", isRedis, "SIGSTOP", /no answer for 3 s \(.*\)\nStart this again/],
+])(
+  "one machine, %s ends (%#): all that the run has started ends, and it goes on when started again",
+  async (_, isVictim, signal, words) => {
+    rmSync(work, { recursive: true, force: true });
+    const args = [...submission, "--workers", "2", "--patience", "3"];
+    const submit = start("submit.mjs", args);
+    await until(async () => (await partsIn(work)).length > 10);
+    const { pid } = submit.child;
+    const all = [{ pid, command: "submit.mjs" }, ...childrenOf(pid)];
+    expect(all.filter(isWorker)).toHaveLength(2);
+    expect(all.filter(isRedis)).toHaveLength(1);
+    process.kill(all.find(isVictim).pid, signal);
+    const code = await outcome(submit);
+    expect([code, submit.child.signalCode]).toEqual(
+      isVictim === isSubmit ? [null, signal] : [1, null],
+    );
+    expect(
+      submit
+        .output()
+        .split("\n")
+        .filter((line) => !line.includes(" of "))
+        .join("\n")
+        .trim(),
+    ).toMatch(words);
+    expect(isStack(submit.output())).toBe(false);
+    await until(() => !all.some((each) => isAlive(each.pid)));
+    const done = await partsIn(work);
+    const { run } = await planOf(work);
+    const timeOf = (index) => statSync(partFile(work, run, index)).mtimeMs;
+    const times = done.map(timeOf);
+    await finish("submit.mjs", args);
+    expect(done.map(timeOf)).toEqual(times); // nothing was done again
+    expect(await isRight()).toBe(true);
+  },
+);
+
+withRedis("a folder that is removed in the middle of a run: submit says so and ends", async () => {
+  rmSync(work, { recursive: true, force: true });
+  const submit = start("submit.mjs", submission);
+  await until(async () => (await partsIn(work)).length > 10);
+  rmSync(path.join(work, "plan.json"));
+  expect(await outcome(submit)).toBe(1);
+  expect(submit.output()).toContain(`${work} has been emptied, or has another plan`);
+  expect(isStack(submit.output())).toBe(false);
+  await finish("submit.mjs", submission);
+  expect(await isRight()).toBe(true);
+});
+
 withRedis(
   "a Redis of REDIS_URL that ends: submit says so, gives up, and goes on when it is back",
   async () => {
     rmSync(work, { recursive: true, force: true });
-    const elsewhere = inFolder("elsewhere");
-    servers.push(elsewhere);
-    const url = await startRedis({ folder: elsewhere });
-    const remote = { env: { ...env, REDIS_URL: url } };
+    const redis = await startRedis({ folder: inFolder("elsewhere") });
+    const remote = { env: { REDIS_URL: redis.url } };
     const submit = start("submit.mjs", [...submission, "--patience", "2"], remote);
     const worker = start("worker.mjs", ["--folder", work, "--lock", "1"], remote);
-    await until(async () => (await listParts(work)).length > 10);
+    await until(async () => (await partsIn(work)).length > 10);
     worker.child.kill("SIGSTOP"); // or it would end the run
-    await stopRedis(elsewhere);
+    await redis.kill();
     expect(await outcome(submit)).toBe(1);
-    const { host } = new URL(url);
+    const { host } = new URL(redis.url);
     expect(submit.output()).toContain(`Redis at ${host} is away (`);
     expect(submit.output()).toMatch(
       /no answer for 2 s \(.*\)\nStart this again when Redis can run/,
     );
-    expect(submit.output()).not.toContain("started again");
     worker.child.kill("SIGCONT");
-    await startRedis({ folder: elsewhere });
+    await redis.start();
     await finish("submit.mjs", submission, remote);
     expect(await isRight()).toBe(true);
     expect(isStack(submit.output() + worker.output())).toBe(false);
   },
 );
 
+withRedis.each([
+  ["a memory that is full", ["maxmemory", "1"], "OOM"],
+  ["a disk that is full (by another rule)", ["min-replicas-to-write", "1"], "NOREPLICAS"],
+])("a Redis that takes no data, %s: submit ends with its words", async (_, settings, words) => {
+  rmSync(work, { recursive: true, force: true });
+  const redis = await startRedis({ folder: inFolder("elsewhere") });
+  const remote = { env: { REDIS_URL: redis.url } };
+  const submit = start("submit.mjs", submission, remote);
+  const worker = start("worker.mjs", ["--folder", work, "--lock", "1"], remote);
+  await until(async () => (await partsIn(work)).length > 10);
+  const client = connected(redis.url);
+  await client.config("SET", ...settings);
+  expect(await outcome(submit)).toBe(1);
+  expect(submit.output()).toContain(words);
+  expect(submit.output()).toContain("Start this again");
+  expect(isStack(submit.output())).toBe(false);
+  await client.config("SET", settings[0], "0");
+  client.disconnect();
+  await finish("submit.mjs", submission, remote);
+  worker.child.kill("SIGKILL");
+  expect(await isRight()).toBe(true);
+});
+
 withRedis("a Redis that cannot be reached, or does not let us in, is named", async () => {
-  servers.push(inFolder("locked"));
-  const url = await startRedis({ folder: inFolder("locked") });
+  const { url } = await startRedis({ folder: inFolder("locked") });
   for (const [address, why] of [
     ["redis://127.0.0.1:1", "ECONNREFUSED"],
     [`redis://:wrong@${new URL(url).host}`, "WRONGPASS"],
@@ -216,17 +278,3 @@ withRedis("a Redis that cannot be reached, or does not let us in, is named", asy
     expect(isStack(submit.output())).toBe(false);
   }
 });
-
-withRedis(
-  "a Redis of the folder's own whose files are damaged: submit says what to do",
-  async () => {
-    rmSync(work, { recursive: true, force: true });
-    mkdirSync(path.join(work, "redis/appendonlydir"), { recursive: true });
-    writeFileSync(path.join(work, "redis/appendonlydir/appendonly.aof.manifest"), "nonsense\n");
-    const submit = startSubmit();
-    expect(await outcome(submit)).toBe(1);
-    expect(submit.output()).toMatch(/redis-server ended with 1:.*manifest/s);
-    expect(submit.output()).toContain("Start this again when Redis can run");
-    expect(isStack(submit.output())).toBe(false);
-  },
-);

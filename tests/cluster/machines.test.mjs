@@ -6,11 +6,10 @@ import { readFileSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { afterAll, expect, test } from "@jest/globals";
 import { Diagram } from "apollonius-diagram";
-import { listParts } from "../../web/examples/cluster/parts.mjs";
-import { startRedis, stopRedis } from "../../web/examples/cluster/redis.mjs";
 import { generator, randomCircles } from "../wasm/support/random.mjs";
 import { emptyFolder, writeArray } from "./support/files.mjs";
 import { finish, start, stopAll, until } from "./support/processes.mjs";
+import { partsIn, startRedis, stopServers } from "./support/redis.mjs";
 
 const names = [1, 2].map((k) => `apollonius-${process.pid}-${k}`);
 const bridge = `ap${process.pid}`;
@@ -53,7 +52,7 @@ const work = path.join(folder, "work");
 
 afterAll(async () => {
   stopAll();
-  await stopRedis(work);
+  await stopServers();
   removeNetwork();
 });
 
@@ -65,7 +64,8 @@ withNetwork("two workers in two network namespaces", async () => {
   writeFileSync(snapshot, diagram.toBytes());
   const xy = Float64Array.from({ length: 400_000 }, () => random() * 2000 - 1000);
   const file = writeArray(path.join(folder, "points.f64"), xy);
-  const env = { REDIS_URL: await startRedis({ folder: work, bind: `${net}.1` }) };
+  const redis = await startRedis({ folder: path.join(folder, "redis"), bind: `${net}.1` });
+  const env = { REDIS_URL: redis.url };
   // The loopback device of a new namespace is down. One that is up would be the machine's, and the
   // workers would not be apart.
   const loopback = ip("-n", names[0], "-o", "link", "show", "up", "dev", "lo");
@@ -78,7 +78,7 @@ withNetwork("two workers in two network namespaces", async () => {
   await until(() => workers.every(({ output }) => output().includes("Waiting for jobs")));
   const submission = ["--folder", work, "--snapshot", snapshot, "--points", file];
   await finish("submit.mjs", [...submission, "--per-job", "2000"], { env });
-  expect(await listParts(work)).toHaveLength(100);
+  expect(await partsIn(work)).toHaveLength(100);
   await finish("collect.mjs", ["--folder", work, "--out", path.join(folder, "result")]);
   const ids = diagram.findMany(xy);
   expect(readFileSync(path.join(folder, "result.ids.i32")).equals(Buffer.from(ids.buffer))).toBe(

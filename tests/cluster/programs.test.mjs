@@ -4,6 +4,7 @@ import { mkdirSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { afterEach, describe, expect, test } from "@jest/globals";
 import { Diagram } from "apollonius-diagram";
+import { duration } from "../../web/examples/cluster/run.mjs";
 import { emptyFolder, writeArray } from "./support/files.mjs";
 import { isStack, start, stopAll } from "./support/processes.mjs";
 
@@ -22,6 +23,9 @@ writeFileSync(inFolder("text.parquet"), "a,b\n1,2\n");
 writeFileSync(inFolder("far.csv"), "x,y,r\n1,2,far\n");
 writeArray(inFolder("wild.f64"), Float64Array.of(0, 0, 1, 0, Number.NaN, 1));
 mkdirSync(inFolder("damaged"));
+for (const name of ["folder.f64", "folder.csv", "folder.arrow", "folder.parquet", "folder.csv.gz"])
+  mkdirSync(inFolder(name));
+writeFileSync(inFolder("text.arrow"), "a,b\n1,2\n");
 writeFileSync(inFolder("damaged/plan.json"), "{");
 
 const submit = (changes) => {
@@ -80,6 +84,7 @@ describe.each(Object.entries(complete))("%s", (program, args) => {
   });
 });
 
+const isFolder = /: illegal operation on a directory\n$/;
 const none = /: no such file or directory\n$/;
 test.each([
   ["submit.mjs", submit({ snapshot: "none.bin" }), /none\.bin/, none],
@@ -89,6 +94,14 @@ test.each([
   ["submit.mjs", submit({ points: "points.csv" }), /no columns x, y among a, b: see --columns/],
   ["submit.mjs", submit({ points: "plain.csv.gz" }), /plain\.csv\.gz: incorrect header check/],
   ["submit.mjs", submit({ points: "text.parquet" }), /text\.parquet: parquet file invalid/],
+  ["submit.mjs", submit({ points: "text.arrow" }), /text\.arrow: no Arrow IPC file/],
+  ["submit.mjs", submit({ snapshot: "damaged" }), /programs.damaged/, isFolder],
+  ["submit.mjs", submit({ points: "folder.csv" }), /folder\.csv/, isFolder],
+  ["submit.mjs", submit({ points: "folder.arrow" }), /folder\.arrow/, isFolder],
+  ["submit.mjs", submit({ points: "folder.parquet" }), /folder\.parquet/, isFolder],
+  ["submit.mjs", submit({ points: "folder.csv.gz" }), /folder\.csv\.gz/, isFolder],
+  ["build.mjs", build({ circles: "folder.csv" }), /folder\.csv/, isFolder],
+  ["submit.mjs", submit({ workers: "2" }), /--workers is for one machine: there is a REDIS_URL/],
   ["submit.mjs", submit({ columns: "x" }), /--columns is two names/],
   ["submit.mjs", submit({ "per-job": "0" }), /--per-job is a whole number from 1 on, not 0/],
   ["submit.mjs", submit({ patience: "-1" }), /--patience is a number of seconds, not -1/],
@@ -105,6 +118,8 @@ test.each([
   ["build.mjs", build({ window: "0,0,0,1" }), /--window is/],
   ["build.mjs", build({ window: "0,,1,1" }), /--window is/],
   ["build.mjs", build({ "per-tile": "1.5" }), /--per-tile is a whole number/],
+  ["build.mjs", build({ tolerance: "0" }), /--tolerance is a number above 0, not 0/],
+  ["build.mjs", build({ tolerance: "fine" }), /--tolerance is a number above 0, not fine/],
   ["worker.mjs", ["--folder", folder, "--lock", "soon"], /--lock is a number of seconds, not soon/],
   ["worker.mjs", ["--folder", folder, "--concurrency", "0"], /--concurrency is a whole number/],
   ["collect.mjs", ["--folder", inFolder("none"), "--out", "x"], /none has no run/],
@@ -113,4 +128,15 @@ test.each([
   const { code, text } = await said(program, args);
   expect(code).toBe(1);
   for (const pattern of patterns) expect(text).toMatch(pattern);
+});
+
+test("a worker without REDIS_URL says who starts workers then", async () => {
+  const { ended, output } = start("worker.mjs", ["--folder", folder]);
+  expect(await ended).toBe(1);
+  expect(output()).toMatch(/^REDIS_URL is missing: without it, submit\.mjs and build\.mjs/);
+});
+
+test("how long it will take is said in words", () => {
+  const said = [0.2, 59, 60, 61.5, 3599, 3600, 86_399].map(duration);
+  expect(said.join()).toBe("1 s,59 s,1 min 0 s,1 min 2 s,59 min 59 s,1 h 0 min,23 h 59 min");
 });

@@ -1,4 +1,5 @@
 // The store and the tiles made of it: every circle once, every place of the window once.
+import { cpSync, readdirSync, rmSync, statSync, truncateSync } from "node:fs";
 import path from "node:path";
 import { describe, expect, test } from "@jest/globals";
 import { CircleStore } from "../../web/examples/cluster/circle_store.mjs";
@@ -27,7 +28,7 @@ async function stored(family) {
   const folder = emptyFolder(`store-${family}`);
   const file = writeArray(path.join(folder, "circles.f64"), xyr);
   await makeStore(path.join(folder, "store"), file, { perTile });
-  return { xyr, random, store: new CircleStore(path.join(folder, "store")) };
+  return { xyr, random, store: await CircleStore.open(path.join(folder, "store")) };
 }
 
 describe.each(Object.keys(families))("%s", (family) => {
@@ -95,11 +96,37 @@ describe.each(Object.keys(families))("%s", (family) => {
   });
 });
 
+test("files of a store that are not as long as its index says are refused", async () => {
+  await stored("random");
+  const home = path.join(emptyFolder("store-lengths"), "store");
+  const whole = path.join(home, "../../store-random/store");
+  for (const name of ["circles.f64", "starts.f64", "giants.f64"]) {
+    const { size } = statSync(path.join(whole, name));
+    for (const length of [0, 8, size - 32, size - 1, size + 32]) {
+      rmSync(home, { recursive: true, force: true });
+      cpSync(whole, home, { recursive: true });
+      truncateSync(path.join(home, name), length);
+      const file = path.join(home, name);
+      await expect(CircleStore.open(home)).rejects.toThrow(
+        `${file} has ${length} bytes, not ${size}`,
+      );
+    }
+  }
+  cpSync(whole, home, { recursive: true });
+  const store = await CircleStore.open(home);
+  truncateSync(path.join(home, "circles.f64"), 32 * (count / 2)); // while it is in use
+  await expect(store.within(store.bounds)).rejects.toThrow("circles.f64 has become shorter");
+  truncateSync(path.join(home, "index.json"), 20);
+  await expect(CircleStore.open(home)).rejects.toThrow("index.json is damaged");
+});
+
 test("what is no file of triples, or an empty one, is refused", async () => {
   const folder = emptyFolder("store-refused");
   const file = path.join(folder, "circles.f64");
   writeArray(file, new Float64Array(4));
-  await expect(makeStore(folder, file, { perTile })).rejects.toThrow("triples");
+  const store = path.join(folder, "store");
+  await expect(makeStore(store, file, { perTile })).rejects.toThrow("triples");
   writeArray(file, new Float64Array());
-  await expect(makeStore(folder, file, { perTile })).rejects.toThrow("is empty");
+  await expect(makeStore(store, file, { perTile })).rejects.toThrow("is empty");
+  expect(readdirSync(folder)).toEqual(["circles.f64"]);
 });

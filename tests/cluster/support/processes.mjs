@@ -1,5 +1,5 @@
 // The example's programs as processes.
-import { spawn } from "node:child_process";
+import { spawn, spawnSync } from "node:child_process";
 import path from "node:path";
 import { root } from "../../../tools/toolchain/folders.mjs";
 
@@ -33,6 +33,25 @@ export async function finish(program, args, options) {
 /** Ends all that a test has left running. */
 export function stopAll() {
   for (const child of running) child.kill("SIGKILL");
+}
+
+/** The processes below one, each {pid, command}. */
+export function childrenOf(pid) {
+  const { stdout } = spawnSync("ps", ["-A", "-o", "pid=,ppid=,args="], { encoding: "utf8" });
+  const all = [...stdout.matchAll(/^ *(\d+) +(\d+) (.*)$/gm)].map(([, own, parent, command]) => ({
+    pid: Number(own),
+    parent: Number(parent),
+    command,
+  }));
+  const below = all.filter(({ parent }) => parent === pid);
+  for (const each of below) below.push(...all.filter(({ parent }) => parent === each.pid));
+  return below;
+}
+
+/** Whether a process runs (one that nobody has waited for has ended, too). */
+export function isAlive(pid) {
+  const { stdout } = spawnSync("ps", ["-p", String(pid), "-o", "stat="], { encoding: "utf8" });
+  return stdout.trim() !== "" && !stdout.startsWith("Z");
 }
 
 /** Whether a text has lines of a stack trace. */

@@ -6,7 +6,15 @@ import { rm } from "node:fs/promises";
 import path from "node:path";
 import { cellFormats } from "./cells/index.mjs";
 import { CircleStore } from "./circle_store.mjs";
-import { count, readOptions, rectangle, seconds, threeColumns } from "./command_line.mjs";
+import {
+  count,
+  positive,
+  readOptions,
+  rectangle,
+  runOptions,
+  threeColumns,
+  whereItRuns,
+} from "./command_line.mjs";
 import { formatOf } from "./formats/index.mjs";
 import { unpacked } from "./formats/unpack.mjs";
 import { makeStore } from "./make_store.mjs";
@@ -18,7 +26,8 @@ node build.mjs --folder work --circles circles.f64 [--window xmin,ymin,xmax,ymax
 
 Computes the cells of circles tile by tile, by as many workers as there are. Start it again after
 Ctrl-C: what is there already is not done again. Then collect.mjs gives the area of each cell, and
-the parts of cells in the formats that are asked for.
+the parts of cells in the formats that are asked for. Areas are exact; polygons follow the cells'
+curves within the tolerance, so theirs are not quite these areas.
 
   --folder      a folder that build, workers and collect share
   --circles     .f64 (little-endian triples x, y, r), .csv, .arrow (IPC file), .parquet (GeoParquet,
@@ -32,9 +41,9 @@ the parts of cells in the formats that are asked for.
   --geojson     the cells themselves, too, as GeoJSON, a feature a line
   --flatgeobuf  the cells as FlatGeobuf, with an index
   --geoparquet  the cells as GeoParquet
-  --patience    seconds without Redis after which it gives up, by default 20
-
-REDIS_URL names a Redis that all machines reach; without it, one is started on this machine.`;
+  --tolerance   how far polygons may be from the curves, in the unit of the circles; by default what
+                the package takes for a cell in a window as large as its tile
+${whereItRuns}`;
 
 const options = readOptions(usage, {
   folder: { type: "string", required: true },
@@ -45,14 +54,24 @@ const options = readOptions(usage, {
   geojson: { type: "boolean", default: false },
   flatgeobuf: { type: "boolean", default: false },
   geoparquet: { type: "boolean", default: false },
-  patience: { type: "string", default: "20", as: seconds },
+  tolerance: { type: "string", as: positive },
+  ...runOptions,
 });
-const { folder, circles, columns, patience } = options;
+const { folder, circles, columns, tolerance } = options;
 const { window: asked, "per-tile": perTile } = options;
 const cells = Object.keys(cellFormats).filter((format) => options[format]);
 formatOf(circles); // refuses what has none, before anything is written
 const { size, mtimeMs } = statSync(circles);
-const facts = { circles: path.resolve(circles), size, mtimeMs, columns, asked, perTile, cells };
+const facts = {
+  circles: path.resolve(circles),
+  size,
+  mtimeMs,
+  columns,
+  asked,
+  perTile,
+  cells,
+  tolerance,
+};
 const run = runOf(facts);
 
 const home = path.join(folder, `store-${run}`);
@@ -63,13 +82,9 @@ async function sorted() {
   if (input !== circles) await rm(input); // the store has all of it
   return store;
 }
-const isThere = existsSync(path.join(home, "index.json"));
-const store = isThere ? new CircleStore(home) : await sorted();
+const store = existsSync(home) ? await CircleStore.open(home) : await sorted();
 const window = asked ?? store.bounds;
-const jobs = planTiles(store, window, perTile);
-// of polygons: as by default for a tile of average size
-const [xmin, ymin, xmax, ymax] = window;
-const tolerance = (2 ** -13 * Math.hypot(xmax - xmin, ymax - ymin)) / Math.sqrt(jobs.length);
+const jobs = planTiles(store, window, perTile).map(({ window, halo }) => ({ window, halo }));
 // Names of columns say what the numbers are; most formats have no other place for it.
 const isLonLat = /^lon/i.test(columns[0]) && /^lat/i.test(columns[1]);
 const common = {
@@ -81,5 +96,5 @@ const common = {
   isLonLat,
 };
 
-await perform(folder, { kind: "tile", run, unit: "circles", common, jobs }, { patience });
+await perform(folder, { kind: "tile", run, unit: "tiles", common, jobs }, options);
 console.log(`All tiles are there. Now: node collect.mjs --folder ${folder} --out RESULT`);

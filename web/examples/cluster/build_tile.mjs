@@ -5,19 +5,25 @@ import { kTogether } from "./cells/box_tree.mjs";
 import { cellFormats } from "./cells/index.mjs";
 import { CircleStore } from "./circle_store.mjs";
 import { tile } from "./tile.mjs";
+import { areaSections } from "./tiles.mjs";
 
 const kAtOnce = 1000; // cells between which the worker may tell Redis that it is alive
 
 let opened; // the store that was asked for last
 
-function storeOf(home, run) {
-  if (opened?.run !== run) opened = { run, store: new CircleStore(home) };
-  return opened.store;
+/** The store of a run, opened once; again if that failed. */
+async function storeOf(home, { run, count }) {
+  if (opened?.run === run) return opened.store;
+  const store = await CircleStore.open(home);
+  if (store.count !== count)
+    throw new Error(`${home} has ${store.count} circles, the plan ${count}`);
+  opened = { run, store };
+  return store;
 }
 
 /** The sections of the job's part: pairs of id and area; and cells, a section a format. */
-export async function buildTile({ run, store, window, halo, tolerance, cells }, context) {
-  const circles = storeOf(path.resolve(context.folder, store), run);
+export async function buildTile({ run, count, store, window, halo, tolerance, cells }, context) {
+  const circles = await storeOf(path.resolve(context.folder, store), { run, count });
   const { diagram, ids } = await tile(circles, window, halo);
   try {
     const voronoi = diagram.voronoi(window);
@@ -33,13 +39,14 @@ export async function buildTile({ run, store, window, halo, tolerance, cells }, 
       if (cells.length === 0) continue;
       if (at % kAtOnce === 0) await setImmediate();
       // The part of the cell in the tile; whoever wants whole cells joins the parts of an id.
+      // Without a tolerance of the plan it is the package's own for cells of that size.
       const parts = voronoi.cellParts(k, { tolerance, flat: true }) ?? [];
       const polygons = parts.map((part) => [part, ...part.holes]);
       const cell = { id: ids[k], area: areas[k], polygons };
       for (const format of cells) encoded[format].push(cellFormats[format].encode(cell));
     }
     context.items += own.length;
-    const sections = { areas: new Uint8Array(pairs.buffer) };
+    const sections = areaSections(pairs, count);
     for (const format of cells) sections[format] = Buffer.concat(encoded[format]);
     return sections;
   } finally {

@@ -1,17 +1,13 @@
 // Circles on disk by where they are (make_store.mjs), as `tile` asks for them.
-import { readFileSync } from "node:fs";
-import { open } from "node:fs/promises";
 import path from "node:path";
+import { readWhole, withFile } from "./files.mjs";
 import { Grid } from "./grid.mjs";
 
 /** Of circles.f64: x, y, r, id as little-endian doubles. */
 export const kRecord = 4;
 export const kBytes = 8 * kRecord;
 
-function readDoubles(file) {
-  const bytes = readFileSync(file);
-  return new Float64Array(bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.length));
-}
+const doublesOf = (bytes) => new Float64Array(bytes.buffer);
 
 /** The records with centres in a rectangle, as the triples that diagrams take and their ids. */
 function separated(records, [xmin, ymin, xmax, ymax]) {
@@ -29,21 +25,53 @@ function separated(records, [xmin, ymin, xmax, ymax]) {
   return { xyr: xyr.slice(0, 3 * count), ids: ids.slice(0, count) };
 }
 
+const kRemedy = "remove the folder that it is in, and start build.mjs again";
 const kEverywhere = [-Infinity, -Infinity, Infinity, Infinity];
 
-export class CircleStore {
-  #home;
+function refuseLength(file, size, length) {
+  if (size !== length)
+    throw new Error(`${file} has ${size} bytes, not ${length}: it is damaged; ${kRemedy}`);
+}
 
-  constructor(home) {
-    this.#home = home;
-    const index = JSON.parse(readFileSync(path.join(home, "index.json"), "utf8"));
-    this.grid = new Grid(index.grid);
-    this.bounds = index.grid.bounds;
-    this.count = index.count;
-    this.mean = index.mean; // of the radii
-    this.largest = index.largest ?? -Infinity; // radius beside the giants; there may be none
-    this.starts = readDoubles(path.join(home, "starts.f64"));
-    this.giants = separated(readDoubles(path.join(home, "giants.f64")), kEverywhere);
+function indexOf(file, bytes) {
+  try {
+    return JSON.parse(bytes);
+  } catch {
+    throw new Error(`${file} is damaged; ${kRemedy}`);
+  }
+}
+
+export class CircleStore {
+  #file;
+
+  /** Opens the store in a folder; refuses files that are not as long as the index says. */
+  static async open(home) {
+    const inHome = (name) => path.join(home, name);
+    const read = async (name, length) => {
+      const bytes = await readWhole(inHome(name));
+      refuseLength(inHome(name), bytes.length, length);
+      return doublesOf(bytes);
+    };
+    const index = indexOf(inHome("index.json"), await readWhole(inHome("index.json")));
+    const grid = new Grid(index.grid);
+    const starts = await read("starts.f64", 8 * (grid.size + 1));
+    const giants = await read("giants.f64", kBytes * index.giantCount);
+    const file = inHome("circles.f64");
+    const size = await withFile(file, "r", (input) => input.size());
+    refuseLength(file, size, kBytes * (index.count - index.giantCount));
+    refuseLength(file, size, kBytes * starts.at(-1));
+    return new CircleStore(file, { ...index, grid, starts, giants }, index.grid.bounds);
+  }
+
+  constructor(file, { grid, starts, giants, count, mean, largest }, bounds) {
+    this.#file = file;
+    this.grid = grid;
+    this.bounds = bounds;
+    this.count = count;
+    this.mean = mean; // of the radii
+    this.largest = largest ?? -Infinity; // radius beside the giants; there may be none
+    this.starts = starts;
+    this.giants = separated(giants, kEverywhere);
   }
 
   /** All circles, but the giants, with centres in a rectangle. */
@@ -57,17 +85,14 @@ export class CircleStore {
       ranges.push([this.starts[first + left], this.starts[first + right + 1]]);
     }
     const records = new Float64Array(kRecord * ranges.reduce((sum, [a, b]) => sum + b - a, 0));
-    const input = await open(path.join(this.#home, "circles.f64"));
-    try {
+    await withFile(this.#file, "r", async (input) => {
       let at = 0;
       for (const [from, to] of ranges) {
-        const bytes = new Uint8Array(records.buffer, at, kBytes * (to - from));
-        await input.read(bytes, 0, bytes.length, kBytes * from);
-        at += bytes.length;
+        const some = await input.readAll(kBytes * (to - from), kBytes * from);
+        records.set(doublesOf(some), at);
+        at += kRecord * (to - from);
       }
-    } finally {
-      await input.close();
-    }
+    });
     const [least, lowest, most, highest] = this.bounds; // no centre is outside
     const known = [
       xmin <= least ? -Infinity : xmin,

@@ -1,7 +1,9 @@
 // Joins the parts of a run in their order. Every byte of every part is checked; missing and damaged
 // ones are named (the latter removed), and nothing is written.
-import { rename, rm } from "node:fs/promises";
+import { mkdir, rename, rm } from "node:fs/promises";
+import path from "node:path";
 import { readOptions } from "./command_line.mjs";
+import { withFile } from "./files.mjs";
 import { formats } from "./formats/index.mjs";
 import { BadPart, listParts, readPart, removeDrafts, removePart } from "./parts.mjs";
 import { readPlan } from "./run.mjs";
@@ -22,40 +24,45 @@ const { folder, out } = readOptions(usage, {
   out: { type: "string", required: true },
 });
 
-const plan = readPlan(folder);
+const plan = await readPlan(folder);
 if (plan === undefined) throw new Error(`${folder} has no run: submit.mjs or build.mjs begins one`);
 const { kind, run, common, jobs } = plan;
 const bad = new Set();
 const kMostNamed = 20;
 
-/** The sections of all parts in order; those of bad ones are left out, and counted. */
-async function* parts() {
+/** Sections of all parts in order, of some names or all; bad ones are left out, and counted. */
+async function* parts(names) {
   for (let index = 0; index < jobs.length; ++index) {
     try {
-      yield await readPart(folder, run, index);
+      yield await readPart(folder, run, index, names);
     } catch (error) {
       if (!(error instanceof BadPart)) throw error;
       bad.add(index);
-      await removePart(folder, index);
+      await removePart(folder, run, index);
     }
   }
 }
 
-const strange = (await listParts(folder)).filter((index) => index >= jobs.length);
+const strange = (await listParts(folder, run)).filter((index) => index >= jobs.length);
 if (strange.length > 0) throw new Error(`parts that are not of this run: ${strange.join(", ")}`);
 
 const { join } = kind === "tile" ? tiles : formats[common.format];
-const drafts = await join(`${out}.draft`, parts, common);
-if (bad.size > 0) {
-  for (const draft of drafts) await rm(draft);
-  const some = [...bad].slice(0, kMostNamed).join(", ") + (bad.size > kMostNamed ? ", …" : "");
-  console.error(`Missing or damaged: ${bad.size} of ${jobs.length} parts (${some})`);
-  process.exitCode = 1;
-} else {
-  await removeDrafts(folder);
-  for (const draft of drafts) {
-    const file = out + draft.slice(`${out}.draft`.length);
-    await rename(draft, file);
-    console.log(file);
+const drafts = `${out}.draft`; // a folder; whatever happens, it goes
+await rm(drafts, { recursive: true, force: true });
+await mkdir(drafts);
+try {
+  const files = await join(path.join(drafts, "result"), parts, common);
+  if (bad.size > 0) {
+    const some = [...bad].slice(0, kMostNamed).join(", ") + (bad.size > kMostNamed ? ", …" : "");
+    throw new Error(`Missing or damaged: ${bad.size} of ${jobs.length} parts (${some})`);
   }
+  for (const file of files) await withFile(file, "r", (written) => written.sync());
+  await removeDrafts(folder, run);
+  for (const file of files) {
+    const target = out + path.basename(file).slice("result".length);
+    await rename(file, target);
+    console.log(target);
+  }
+} finally {
+  await rm(drafts, { recursive: true, force: true });
 }

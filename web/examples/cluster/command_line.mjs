@@ -9,6 +9,14 @@ export function wordsOf({ message, code, errno, path: file, errors = [] }) {
   return message || errors.map(wordsOf).join(", ") || code; // ioredis has some without a message
 }
 
+/** The Redis of REDIS_URL, which all machines reach; undefined without it. */
+export function givenRedis() {
+  const url = process.env.REDIS_URL;
+  if (url?.includes("://") && !URL.canParse(url))
+    throw new Error("REDIS_URL cannot be read: it is like redis://:password@host:6379");
+  return url || undefined;
+}
+
 /**
  * The options on the command line. `options` is as for `parseArgs`, and may say `required: true`,
  * and what a text stands for: `as(text, name)`, which throws what it should have been. `--help`
@@ -49,6 +57,31 @@ export function seconds(text, name) {
   if (text !== "" && value > 0 && value < 2 ** 31 / 1000) return value;
   throw new Error(`--${name} is a number of seconds, not ${text}`);
 }
+
+export function positive(text, name) {
+  const value = Number(text);
+  if (value > 0 && Number.isFinite(value)) return value;
+  throw new Error(`--${name} is a number above 0, not ${text}`);
+}
+
+/** What submit and build have in common: where their workers are. */
+export const runOptions = {
+  workers: {
+    type: "string",
+    as(text, name) {
+      if (givenRedis()) throw new Error(`--${name} is for one machine: there is a REDIS_URL`);
+      return count(text, name);
+    },
+  },
+  patience: { type: "string", default: "20", as: seconds },
+};
+export const whereItRuns = `
+  --workers     workers on this machine, by default one for each processor
+  --patience    seconds without an answer of Redis after which it gives up, by default 20
+
+Without REDIS_URL it does all on this machine: it starts a Redis and workers, which end with it.
+REDIS_URL names a Redis that other machines reach, too; then worker.mjs is started by hand, on each
+of them.`.trimStart();
 
 const names = (words, count) => (text, name) => {
   const found = text.split(",");

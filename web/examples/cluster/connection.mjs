@@ -1,53 +1,57 @@
-// The connection of submit and build to Redis, for as long as a run takes: the folder's own Redis
-// is started again when it has ended; the one of REDIS_URL is waited for, but not for ever.
+// The connection of submit and build to Redis, for as long as a run takes.
 import { setTimeout } from "node:timers/promises";
 import { Redis } from "ioredis";
 import { wordsOf } from "./command_line.mjs";
-import { openRedis } from "./redis.mjs";
 
-const kLook = 500; // milliseconds between two looks at whether it is back
+const kLook = 500; // milliseconds between two looks at whether it is there
+const kMemory = 60; // seconds that Redis keeps what was written to see whether it can
 const kGoOn = "Start this again when Redis can run: what is done is kept.";
 
 /**
- * Connects to the Redis of a run. `lost` rejects when that has been away for `patience` seconds, or
- * cannot be started again; commands wait until then. `close` also ends a Redis of the folder's own.
+ * Connects to the Redis of a run. `lost` rejects when that has not answered for `patience` seconds,
+ * whatever is the reason, or takes no data: its disk may be full. Commands wait until it answers.
  */
-export async function connect(folder, { patience }) {
-  const { url, isOwn, stop } = await openRedis(folder).catch((error) => {
-    throw new Error(`${wordsOf(error)}\n${kGoOn}`);
-  });
-  // Commands wait until it is back, as BullMQ asks for; one that says nothing is away, too.
-  const redis = new Redis(url, { maxRetriesPerRequest: null, socketTimeout: 1000 * patience });
+export function connect(url, { patience, key }) {
+  // Commands wait until it is back, as BullMQ asks for. A connection that says nothing is tried
+  // once more before patience ends.
+  const redis = new Redis(url, { maxRetriesPerRequest: null, socketTimeout: 500 * patience });
   const { host, port, path: place = `${host}:${port}` } = redis.options;
-  let why = "the connection was closed";
+  let why = "it says nothing";
+  let isThere = false;
   redis.on("error", (error) => (why = wordsOf(error)));
+  redis.on("ready", () => (isThere = true));
+  redis.on("close", () => {
+    if (isThere && isOpen) console.error(`\nRedis at ${place} is away (${why})`);
+    isThere = false;
+  });
 
   let isOpen = true;
-  async function bringBack() {
-    console.error(`\nRedis at ${place} is away (${why})${isOwn ? ": it is started again" : ""}`);
-    for (let waited = 0; isOpen && redis.status !== "ready"; waited += kLook) {
-      if (waited >= 1000 * patience) throw new Error(`no answer for ${patience} s (${why})`);
-      if (isOwn) await openRedis(folder);
+  async function watch() {
+    while (isOpen) {
+      const late = new AbortController();
+      const { signal } = late;
+      const silence = setTimeout(1000 * patience, undefined, { signal }).then(() => {
+        throw new Error(`no answer for ${patience} s (${why})`);
+      });
+      try {
+        await Promise.race([redis.set(key, "", "EX", kMemory), silence]);
+      } finally {
+        silence.catch(() => {});
+        late.abort();
+      }
       await setTimeout(kLook);
     }
   }
-
-  let attempt; // to bring it back, if one is under way
   const lost = new Promise((_, reject) => {
-    redis.on("close", () => {
-      if (!isOpen) return;
-      attempt ??= bringBack()
-        .catch((error) => reject(new Error(`Redis at ${place}: ${wordsOf(error)}\n${kGoOn}`)))
-        .finally(() => (attempt = undefined));
+    watch().catch((error) => {
+      if (isOpen) reject(new Error(`Redis at ${place}: ${wordsOf(error)}\n${kGoOn}`));
     });
   });
-  lost.catch(() => {}); // who waits for something else waits for this, too
+  lost.catch(() => {}); // until somebody waits for it
 
-  async function close() {
+  function close() {
     isOpen = false;
     redis.disconnect();
-    await attempt;
-    await stop();
   }
   return { redis, lost, close };
 }

@@ -1,9 +1,10 @@
 // Sorts a file of circles by where they are, into the buckets of a grid, row after row: those of a
 // rectangle are then a few ranges of one file. Three passes over the input in pieces, so the memory
 // does not depend on its size; the largest circles go to a file of their own.
-import { mkdir, open, rename, writeFile } from "node:fs/promises";
+import { mkdir, rename, rm } from "node:fs/promises";
 import path from "node:path";
 import { CircleStore, kBytes, kRecord } from "./circle_store.mjs";
+import { withFile } from "./files.mjs";
 import { formatOf, formats } from "./formats/index.mjs";
 import { Grid } from "./grid.mjs";
 
@@ -14,10 +15,22 @@ const kBucketsInTile = 64;
 const kMostBuckets = 1 << 24;
 
 /**
- * Makes the store in `home`, and opens it. `window` is inside the grid, wherever circles are;
- * `columns` are the names of x, y and r in formats that have names.
+ * Makes a store, a folder that is whole or not there, and opens it. `window` is inside the grid,
+ * wherever circles are; `columns` are the names of x, y and r in formats that have names.
  */
-export async function makeStore(home, file, { window, perTile, columns = ["x", "y", "r"] }) {
+export async function makeStore(home, file, options) {
+  const draft = `${home}.draft`;
+  await rm(draft, { recursive: true, force: true }); // of one that was killed
+  try {
+    await fillStore(draft, file, options);
+    await rename(draft, home);
+  } finally {
+    await rm(draft, { recursive: true, force: true });
+  }
+  return CircleStore.open(home);
+}
+
+async function fillStore(home, file, { window, perTile, columns = ["x", "y", "r"] }) {
   const { split, read } = formats[formatOf(file)];
   const ranges = await split(file, { perJob: kRange, columns });
   const pieces = () => piecesOf(ranges, (range) => read(file, range));
@@ -36,17 +49,16 @@ export async function makeStore(home, file, { window, perTile, columns = ["x", "
   for (let k = 1; k < starts.length; ++k) starts[k] += starts[k - 1];
   await sortInto(path.join(home, "circles.f64"), pieces, grid, starts, isGiant);
 
-  const doubles = (name, values) =>
-    writeFile(path.join(home, name), new Uint8Array(Float64Array.from(values).buffer));
-  await doubles("starts.f64", starts);
-  await doubles(
-    "giants.f64",
-    giants.flatMap(({ x, y, r, id }) => [x, y, r, id]),
-  );
-  const index = JSON.stringify({ grid: layout, count, mean, largest });
-  await writeFile(path.join(home, "index.new"), index);
-  await rename(path.join(home, "index.new"), path.join(home, "index.json")); // last: all is there
-  return new CircleStore(home);
+  const write = (name, bytes) =>
+    withFile(path.join(home, name), "w", async (output) => {
+      await output.writeAll(bytes);
+      await output.sync();
+    });
+  const doubles = (values) => Buffer.from(Float64Array.from(values).buffer);
+  await write("starts.f64", doubles(starts));
+  await write("giants.f64", doubles(giants.flatMap(({ x, y, r, id }) => [x, y, r, id])));
+  const index = { grid: layout, count, giantCount: giants.length, mean, largest };
+  await write("index.json", Buffer.from(JSON.stringify(index)));
 }
 
 /** The circles of all ranges in pieces of `kPiece`, whatever a format's ranges hold. */
@@ -104,10 +116,9 @@ async function survey(file, pieces, giantCount, window) {
 }
 
 /** Sorts each piece by buckets, and writes each bucket's run to where that has got to. */
-async function sortInto(target, pieces, grid, starts, isGiant) {
+function sortInto(target, pieces, grid, starts, isGiant) {
   const next = starts.slice(0, -1);
-  const output = await open(target, "w");
-  try {
+  return withFile(target, "w", async (output) => {
     for await (const { xyr, first } of pieces()) {
       const order = new Float64Array(xyr.length / kInput); // bucket, then place in the piece
       let count = 0;
@@ -126,11 +137,10 @@ async function sortInto(target, pieces, grid, starts, isGiant) {
         const bucket = bucketAt(from);
         while (to < count && bucketAt(to) === bucket) ++to;
         const run = new Uint8Array(records.buffer, kBytes * from, kBytes * (to - from));
-        await output.write(run, 0, run.length, kBytes * next[bucket]);
+        await output.writeAll(run, kBytes * next[bucket]);
         next[bucket] += to - from;
       }
     }
-  } finally {
-    await output.close();
-  }
+    await output.sync();
+  });
 }

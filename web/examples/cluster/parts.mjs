@@ -1,99 +1,112 @@
 // Parts: what a job leaves in the work folder, one file each. A line of JSON says which job of
-// which run it is, how long its sections are, and the SHA-256 of all that; then come the
-// sections. A part is written beside its place and moved there, so it is whole or not there, and
-// whoever does a job twice writes the same bytes.
-import { createHash, randomUUID } from "node:crypto";
-import { mkdir, open, readdir, readFile, rename, rm } from "node:fs/promises";
+// which run it is, the length and SHA-256 of each section, and the SHA-256 of all that; then come
+// the sections. A part is moved into place when it is whole, so it is whole or not there, and
+// whoever does a job twice writes the same bytes. Each run has a folder of its own: who still works
+// for another one writes to another place.
+import { createHash } from "node:crypto";
+import { mkdir, readdir, rm } from "node:fs/promises";
 import path from "node:path";
+import { replaceFile, withFile } from "./files.mjs";
 
-const kLongestHeader = 4096;
+const kLongestHeader = 1 << 16;
 
-const folderOf = (folder) => path.join(folder, "parts");
+const folderOf = (folder, run) => path.join(folder, `parts-${run}`);
 const nameOf = (index) => `${String(index).padStart(9, "0")}.part`;
-export const partFile = (folder, index) => path.join(folderOf(folder), nameOf(index));
+export const partFile = (folder, run, index) => path.join(folderOf(folder, run), nameOf(index));
 
 /** A part that is missing, or is not what its job wrote. */
 export class BadPart extends Error {}
 
-/** The sum of all that a part says and holds. */
-function digest({ run, index, sections }, bytes) {
-  const hash = createHash("sha256").update(JSON.stringify({ run, index, sections }));
-  for (const section of bytes) hash.update(section);
-  return hash.digest("hex");
-}
+const sha256 = (bytes) => createHash("sha256").update(bytes).digest("hex");
+
+/** The sum of what a part says about itself. */
+const sumOf = ({ run, index, sections }) => sha256(JSON.stringify({ run, index, sections }));
 
 /** Writes the part of a job; `sections` are names with bytes, in the order in which they go out. */
 export async function writePart(folder, run, index, sections) {
-  const bytes = Object.values(sections);
-  const lengths = Object.entries(sections).map(([name, section]) => [name, section.byteLength]);
-  const facts = { run, index, sections: Object.fromEntries(lengths) };
-  const header = JSON.stringify({ ...facts, sha256: digest(facts, bytes) });
-  await mkdir(folderOf(folder), { recursive: true });
-  const draft = `${partFile(folder, index)}.${randomUUID()}`;
-  const file = await open(draft, "w");
-  try {
-    // Not synced: what a power cut takes away, the header's lengths and sum tell.
-    for (const piece of [Buffer.from(`${header}\n`), ...bytes]) await file.writeFile(piece);
-  } finally {
-    await file.close();
-  }
-  await rename(draft, partFile(folder, index));
+  const facts = { run, index, sections: {} };
+  for (const [name, bytes] of Object.entries(sections))
+    facts.sections[name] = { length: bytes.byteLength, sha256: sha256(bytes) };
+  const header = JSON.stringify({ ...facts, sha256: sumOf(facts) });
+  await mkdir(folderOf(folder, run), { recursive: true });
+  await replaceFile(partFile(folder, run, index), async (file) => {
+    // Not synced: what a power cut takes away, lengths and sums tell.
+    for (const piece of [Buffer.from(`${header}\n`), ...Object.values(sections)])
+      await file.writeAll(piece);
+  });
 }
 
-/** The header, its length and the file's; null if that is no part of this job of this run. */
-async function header(folder, run, index) {
-  let file;
+/** The sections of a part that is open, with their places; null if it is not that of the job. */
+async function sectionsOf(file, run, index) {
+  const size = await file.size();
+  const head = await file.readAll(Math.min(size, kLongestHeader), 0);
+  const end = Math.max(0, head.indexOf("\n"));
+  let facts;
   try {
-    file = await open(partFile(folder, index));
-    const { buffer, bytesRead } = await file.read(Buffer.alloc(kLongestHeader), 0, kLongestHeader);
-    const end = buffer.subarray(0, bytesRead).indexOf("\n");
-    const found = JSON.parse(buffer.toString("utf8", 0, Math.max(0, end)));
-    const length = Object.values(found.sections).reduce((sum, bytes) => sum + bytes, end + 1);
-    const isWhole = (await file.stat()).size === length;
-    return found.run === run && found.index === index && isWhole ? { ...found, end } : null;
+    facts = JSON.parse(head.toString("utf8", 0, end));
+    if (sumOf(facts) !== facts.sha256) return null;
+  } catch {
+    return null;
+  }
+  let at = end + 1;
+  for (const section of Object.values(facts.sections)) {
+    section.at = at;
+    at += section.length;
+  }
+  return facts.run === run && facts.index === index && at === size ? facts.sections : null;
+}
+
+/** What an action gives for the open file of a part and its sections; null without a good part. */
+async function withPart(folder, run, index, action) {
+  try {
+    return await withFile(partFile(folder, run, index), "r", async (file) => {
+      const sections = await sectionsOf(file, run, index);
+      return sections && (await action(file, sections));
+    });
   } catch (error) {
-    if (error instanceof SyntaxError || error instanceof TypeError || error.code === "ENOENT")
-      return null;
+    if (error.code === "ENOENT") return null;
     throw error;
-  } finally {
-    await file?.close();
   }
 }
 
-/** Whether the part of a job is there, and as long as it says; its bytes are not looked at. */
+/** Whether the part of a job is there, and as long as it says; its sections are not looked at. */
 export async function hasPart(folder, run, index) {
-  return (await header(folder, run, index)) !== null;
+  return (await withPart(folder, run, index, () => true)) !== null;
 }
 
-/** The sections of a part. Throws BadPart if it is missing, or any of its bytes has changed. */
-export async function readPart(folder, run, index) {
-  const found = await header(folder, run, index);
+/**
+ * Sections of a part: those of some names, or all; no others are read. Throws BadPart if one is
+ * missing, or any of its bytes has changed.
+ */
+export async function readPart(folder, run, index, names) {
+  const found = await withPart(folder, run, index, async (file, sections) => {
+    const wanted = {};
+    for (const name of names ?? Object.keys(sections)) {
+      const { at, length, sha256: expected } = sections[name] ?? {};
+      if (expected === undefined) return null;
+      wanted[name] = await file.readAll(length, at);
+      if (sha256(wanted[name]) !== expected) return null;
+    }
+    return wanted;
+  });
   if (found === null) throw new BadPart(`part ${index} is missing or damaged`);
-  const bytes = await readFile(partFile(folder, index));
-  let at = found.end + 1;
-  const sections = {};
-  for (const [name, length] of Object.entries(found.sections)) {
-    sections[name] = bytes.subarray(at, at + length);
-    at += length;
-  }
-  if (digest(found, Object.values(sections)) !== found.sha256)
-    throw new BadPart(`part ${index} is damaged`);
-  return sections;
+  return found;
 }
 
-export async function removePart(folder, index) {
-  await rm(partFile(folder, index), { force: true });
+export async function removePart(folder, run, index) {
+  await rm(partFile(folder, run, index), { force: true });
 }
+
+const namesIn = (folder, run) => readdir(folderOf(folder, run)).catch(() => []);
 
 /** Removes what workers that died had begun to write. */
-export async function removeDrafts(folder) {
-  const names = await readdir(folderOf(folder)).catch(() => []);
-  for (const name of names)
-    if (!name.endsWith(".part")) await rm(path.join(folderOf(folder), name), { force: true });
+export async function removeDrafts(folder, run) {
+  for (const name of await namesIn(folder, run))
+    if (!name.endsWith(".part")) await rm(path.join(folderOf(folder, run), name), { force: true });
 }
 
 /** The jobs that have left a part, whatever it is worth. */
-export async function listParts(folder) {
-  const names = await readdir(folderOf(folder)).catch(() => []);
-  return names.filter((name) => name.endsWith(".part")).map((name) => Number.parseInt(name, 10));
+export async function listParts(folder, run) {
+  const names = (await namesIn(folder, run)).filter((name) => name.endsWith(".part"));
+  return names.map((name) => Number.parseInt(name, 10));
 }

@@ -1,8 +1,9 @@
 // Assigns points to their nearest circles, by as many workers as there are: splits the points into
 // jobs, and shows how far the workers are. What is there already is not done again.
-import { readFileSync, statSync } from "node:fs";
+import { statSync } from "node:fs";
 import path from "node:path";
-import { count, readOptions, seconds, twoColumns } from "./command_line.mjs";
+import { count, readOptions, runOptions, twoColumns, whereItRuns } from "./command_line.mjs";
+import { readWhole } from "./files.mjs";
 import { formatOf, formats } from "./formats/index.mjs";
 import { unpacked } from "./formats/unpack.mjs";
 import { perform, runOf } from "./run.mjs";
@@ -24,9 +25,7 @@ Ctrl-C, or after collect.mjs has found damaged parts: what is there already is n
   --columns     names of the two columns, by default x,y. GeoJSON, and GeoParquet without such
                 columns, have points instead
   --per-job     points of a job, by default 1000000
-  --patience    seconds without Redis after which it gives up, by default 20
-
-REDIS_URL names a Redis that all machines reach; without it, one is started on this machine.`;
+${whereItRuns}`;
 
 const options = readOptions(usage, {
   folder: { type: "string", required: true },
@@ -35,10 +34,10 @@ const options = readOptions(usage, {
   distances: { type: "boolean", default: false },
   columns: { type: "string", default: "x,y", as: twoColumns },
   "per-job": { type: "string", default: "1000000", as: count },
-  patience: { type: "string", default: "20", as: seconds },
+  ...runOptions,
 });
 const { folder, points, distances } = options;
-const snapshot = readFileSync(options.snapshot);
+const snapshot = await readWhole(options.snapshot);
 const format = formatOf(points);
 const settings = { perJob: options["per-job"], columns: options.columns };
 const { size, mtimeMs } = statSync(points);
@@ -61,6 +60,6 @@ await perform(
     common: { ...common, input: shared(input) },
     jobs: await formats[format].split(input, settings),
   },
-  { patience: options.patience, snapshot },
+  { ...options, snapshot },
 );
 console.log(`All parts are there. Now: node collect.mjs --folder ${folder} --out RESULT`);

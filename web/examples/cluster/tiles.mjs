@@ -1,10 +1,10 @@
 // The tiles of a store: rectangles of whole buckets, of about as many circles each however these
 // are spread; and their parts put together.
-import { open } from "node:fs/promises";
 import { cellFormats } from "./cells/index.mjs";
+import { withFile } from "./files.mjs";
 
 const kSpacings = 4; // that are looked around a tile at first, beside the radii
-const kSlice = 1 << 26; // areas at once
+const kSlice = 1 << 27; // ids whose areas are summed at once, in a GB of memory
 
 /** Tiles {window, halo, size} of at most this many circles, or one bucket, inside the window. */
 export function planTiles({ grid, starts, largest, mean }, window, perTile) {
@@ -60,31 +60,45 @@ function summed({ x, y }, starts) {
   return (column, row) => sums[row * width + column];
 }
 
+/** The first ids of the slices, and the name of the section of a part that has one's areas. */
+function* slices(count, slice) {
+  for (let first = 0; first < count; first += slice) yield { first, name: `areas.${first}` };
+}
+
+/**
+ * The areas of a part, pairs of id and area, in a section for each slice of all ids: who sums the
+ * areas of a slice reads no others.
+ */
+export function areaSections(pairs, count, slice = kSlice) {
+  const sections = {};
+  for (const { first, name } of slices(count, slice)) {
+    const own = [];
+    for (let k = 0; k < pairs.length; k += 2)
+      if (pairs[k] >= first && pairs[k] < first + slice) own.push(pairs[k], pairs[k + 1]);
+    sections[name] = new Uint8Array(Float64Array.from(own).buffer);
+  }
+  return sections;
+}
+
 /**
  * Writes `out`.areas.f64, the area of each circle's cell in the window by id, and a file of cells
- * in each format that was asked for. Circles are taken `kSlice` at a time, so that the memory does
- * not depend on how many there are.
+ * in each format that was asked for. Each section of the parts is read once, whatever there is of
+ * circles and formats; the memory depends on neither.
  */
-export async function join(out, parts, common) {
+export async function join(out, parts, common, slice = kSlice) {
   const file = `${out}.areas.f64`;
-  const output = await open(file, "w");
-  let features; // as many pairs there are
-  try {
-    for (let first = 0; first < common.count; first += kSlice) {
-      features = 0;
-      const areas = new Float64Array(Math.min(kSlice, common.count - first));
-      for await (const { areas: bytes } of parts()) {
-        const pairs = new Float64Array(
-          bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.length),
-        );
+  let features = 0; // as many pairs there are
+  await withFile(file, "w", async (output) => {
+    for (const { first, name } of slices(common.count, slice)) {
+      const areas = new Float64Array(Math.min(slice, common.count - first));
+      for await (const { [name]: bytes } of parts([name])) {
+        const pairs = new Float64Array(bytes.buffer);
         for (let k = 0; k < pairs.length; k += 2) areas[pairs[k] - first] += pairs[k + 1];
         features += pairs.length / 2;
       }
-      await output.writeFile(new Uint8Array(areas.buffer));
+      await output.writeAll(new Uint8Array(areas.buffer));
     }
-  } finally {
-    await output.close();
-  }
+  });
   const files = [file];
   for (const format of common.cells)
     files.push(...(await cellFormats[format].join(out, parts, { ...common, features })));

@@ -53,7 +53,7 @@ export class BoxTree {
         bytes.writeBigUInt64LE(BigInt(level.nodes[5 * k + 4]), kNode * k + 32);
       }
       const before = level.first + level.count - added;
-      await output.write(bytes, 0, bytes.length, start + kNode * before);
+      await output.writeAll(bytes, start + kNode * before);
       level.nodes = [];
     }
   }

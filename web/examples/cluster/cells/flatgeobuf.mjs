@@ -1,5 +1,4 @@
 // Cells as FlatGeobuf: a header, a tree of the cells' boxes, and the cells in the order of parts.
-import { open } from "node:fs/promises";
 import * as flatbuffers from "flatbuffers";
 import { Column } from "flatgeobuf/lib/mjs/flat-geobuf/column.js";
 import { ColumnType } from "flatgeobuf/lib/mjs/flat-geobuf/column-type.js";
@@ -7,6 +6,7 @@ import { Crs } from "flatgeobuf/lib/mjs/flat-geobuf/crs.js";
 import { GeometryType } from "flatgeobuf/lib/mjs/flat-geobuf/geometry-type.js";
 import { Header } from "flatgeobuf/lib/mjs/flat-geobuf/header.js";
 import { buildFeature } from "flatgeobuf/lib/mjs/generic/feature.js";
+import { withFile } from "../files.mjs";
 import { BoxTree, kTogether } from "./box_tree.mjs";
 
 const kMagic = Buffer.from("fgb\x03fgb\0", "latin1");
@@ -91,21 +91,18 @@ function taken(section, tree, first) {
 
 export async function join(out, parts, common) {
   const file = `${out}.fgb`;
-  const output = await open(file, "w");
-  try {
+  await withFile(file, "w", async (output) => {
     const head = header(common);
     const tree = new BoxTree(common.features);
     const start = head.length + tree.bytes;
     let length = 0;
-    await output.write(head, 0, head.length, 0);
-    for await (const { flatgeobuf } of parts()) {
+    await output.writeAll(head, 0);
+    for await (const { flatgeobuf } of parts(["flatgeobuf"])) {
       const features = taken(flatgeobuf, tree, length);
-      await output.write(features, 0, features.length, start + length);
+      await output.writeAll(features, start + length);
       length += features.length;
       await tree.flush(output, head.length);
     }
-  } finally {
-    await output.close();
-  }
+  });
   return [file];
 }

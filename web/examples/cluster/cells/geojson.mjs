@@ -10,7 +10,7 @@ export function encode({ id, area, polygons }) {
 
 export function join(out, parts) {
   async function* features() {
-    for await (const { geojson } of parts()) yield { geojsonl: geojson };
+    for await (const { geojson } of parts(["geojson"])) yield { geojsonl: geojson };
   }
   return joinSections(out, features);
 }

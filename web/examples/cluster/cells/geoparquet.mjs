@@ -1,27 +1,38 @@
 // Cells as GeoParquet 1.1: id, area, and geometry as WKB; a row group a tile.
-import { fileWriter, geojsonToWkb, ParquetWriter } from "hyparquet-writer";
+import { geojsonToWkb } from "hyparquet-writer";
+import { writeParquet } from "../formats/parquet_file.mjs";
 import { geometryOf } from "./geometry.mjs";
 
-/** The length of a cell's WKB, and the WKB. Its id and area are in the areas of the part. */
-export function encode({ polygons }) {
+const kHead = 20; // bytes of a cell before its WKB: id, area, length
+
+/** A cell's id and area, the length of its WKB, and the WKB. */
+export function encode({ id, area, polygons }) {
   const wkb = geojsonToWkb(geometryOf(polygons));
-  const bytes = Buffer.alloc(4 + wkb.length);
-  bytes.writeUInt32LE(wkb.length);
-  bytes.set(wkb, 4);
+  const bytes = Buffer.alloc(kHead + wkb.length);
+  bytes.writeBigInt64LE(BigInt(id), 0);
+  bytes.writeDoubleLE(area, 8);
+  bytes.writeUInt32LE(wkb.length, 16);
+  bytes.set(wkb, kHead);
   return bytes;
 }
 
-function* geometriesOf(bytes) {
+/** The columns of the cells in a section. */
+function columnsOf(bytes) {
+  const [ids, areas, geometries] = [[], [], []];
   for (let at = 0; at < bytes.length; ) {
-    const end = at + 4 + bytes.readUInt32LE(at);
-    yield bytes.subarray(at + 4, end);
-    at = end;
+    ids.push(bytes.readBigInt64LE(at));
+    areas.push(bytes.readDoubleLE(at + 8));
+    const begin = at + kHead;
+    at = begin + bytes.readUInt32LE(at + 16);
+    geometries.push(bytes.subarray(begin, at));
   }
+  return [
+    { name: "id", data: BigInt64Array.from(ids) },
+    { name: "area", data: Float64Array.from(areas) },
+    // (of WKB, statistics say nothing)
+    { name: "geometry", data: geometries, encoding: "PLAIN", statistics: false },
+  ];
 }
-
-const column = (name, type) => ({ name, type, repetition_type: "REQUIRED" });
-const columns = [column("id", "INT64"), column("area", "DOUBLE"), column("geometry", "BYTE_ARRAY")];
-const schema = [{ name: "root", num_children: columns.length }, ...columns];
 
 /** Without a crs, readers take longitude and latitude; null says that it is not known. */
 function metadata({ window: bbox, isLonLat }) {
@@ -34,28 +45,11 @@ function metadata({ window: bbox, isLonLat }) {
   return { version: "1.1.0", primary_column: "geometry", columns: { geometry } };
 }
 
-export async function join(out, parts, common) {
-  const file = `${out}.parquet`;
-  const kvMetadata = [{ key: "geo", value: JSON.stringify(metadata(common)) }];
-  const writer = new ParquetWriter({ writer: fileWriter(file), schema, kvMetadata });
-  for await (const { areas, geoparquet } of parts()) {
-    const count = areas.length / 16;
-    const ids = BigInt64Array.from({ length: count }, (_, k) => BigInt(areas.readDoubleLE(16 * k)));
-    const columnData = [
-      { name: "id", data: ids },
-      {
-        name: "area",
-        data: Float64Array.from({ length: count }, (_, k) => areas.readDoubleLE(16 * k + 8)),
-      },
-      {
-        name: "geometry",
-        data: [...geometriesOf(geoparquet)],
-        encoding: "PLAIN",
-        statistics: false, // of WKB they say nothing
-      },
-    ];
-    await writer.write({ columnData, rowGroupSize: Math.max(1, count) });
+export function join(out, parts, common) {
+  async function* groups() {
+    for await (const { geoparquet } of parts(["geoparquet"])) yield columnsOf(geoparquet);
   }
-  await writer.finish();
-  return [file];
+  const columns = { id: "INT64", area: "DOUBLE", geometry: "BYTE_ARRAY" };
+  const kvMetadata = [{ key: "geo", value: JSON.stringify(metadata(common)) }];
+  return writeParquet(`${out}.parquet`, columns, groups(), { kvMetadata });
 }

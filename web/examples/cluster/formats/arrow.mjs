@@ -1,7 +1,5 @@
 // Arrow IPC files: columns of numbers come in, id (int32) and distance (float64) go out. Jobs are
 // whole record batches, which a file lets one read by their numbers.
-import { createWriteStream } from "node:fs";
-import { open } from "node:fs/promises";
 import { Readable } from "node:stream";
 import { pipeline } from "node:stream/promises";
 import {
@@ -20,20 +18,39 @@ import {
   tableFromIPC,
   tableToIPC,
 } from "apache-arrow";
+import { withFile } from "../files.mjs";
 
 export const unit = "points";
 
 const isNumeric = (type) =>
   DataType.isInt(type) || (DataType.isFloat(type) && type.precision !== Precision.HALF);
 
-async function withReader(file, action) {
-  const input = await open(file);
-  try {
-    const reader = await RecordBatchReader.from(input);
-    return await action(await reader.open());
-  } finally {
-    await input.close().catch(() => {}); // the reader may have closed it
-  }
+/** A file as the library takes it: whatever it asks for is read to the last byte, or it throws. */
+async function sourceOf(input) {
+  const size = await input.size();
+  return {
+    fd: 0, // by a number here the library tells that this is a file
+    stat: async () => ({ size }),
+    close: async () => {},
+    async read(buffer, offset, length, position) {
+      buffer.set(await input.readAll(length, position), offset);
+      return { bytesRead: length, buffer };
+    },
+  };
+}
+
+function withReader(file, action) {
+  return withFile(file, "r", async (input) => {
+    try {
+      const reader = await RecordBatchReader.from(await sourceOf(input));
+      if (!reader.isFile())
+        throw new Error("no Arrow IPC file (a stream has no places to read at)");
+      return await action(await reader.open());
+    } catch (error) {
+      if (!error.message.includes(file)) error.message = `${file}: ${error.message}`;
+      throw error;
+    }
+  });
 }
 
 /** Runs of record batches of about `perJob` points, as many as the first batch promises. */
@@ -93,6 +110,10 @@ export async function join(out, parts) {
   }
   const file = `${out}.arrow`;
   const writer = RecordBatchFileWriter.throughNode();
-  await pipeline(Readable.from(batches()), writer, createWriteStream(file));
+  await withFile(file, "w", (output) =>
+    pipeline(Readable.from(batches()), writer, async (pieces) => {
+      for await (const piece of pieces) await output.writeAll(piece);
+    }),
+  );
   return [file];
 }

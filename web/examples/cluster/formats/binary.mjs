@@ -1,6 +1,7 @@
 // Little-endian binary files: rows of float64 (x, y; or x, y, r) come in; ids (int32) and distances
 // (float64) go out.
-import { open, stat } from "node:fs/promises";
+import { stat } from "node:fs/promises";
+import { withFile } from "../files.mjs";
 import { joinSections } from "./join.mjs";
 
 export const unit = "points";
@@ -20,20 +21,9 @@ export async function split(file, { perJob, columns: { length: width } }) {
 
 /** The rows of a range, one after the other. */
 export async function read(file, { from, size, width }) {
-  const values = new Float64Array(width * size);
-  const input = await open(file);
-  try {
-    const { bytesRead } = await input.read(
-      new Uint8Array(values.buffer),
-      0,
-      values.byteLength,
-      8 * width * from,
-    );
-    if (bytesRead !== values.byteLength) throw new Error(`${file} has become shorter`);
-  } finally {
-    await input.close();
-  }
-  return values;
+  const row = 8 * width;
+  const bytes = await withFile(file, "r", (input) => input.readAll(row * size, row * from));
+  return new Float64Array(bytes.buffer);
 }
 
 export function encode(ids, distances) {

@@ -1,22 +1,19 @@
 // Sections of parts, one after the other, into a file a section.
-import { open } from "node:fs/promises";
+import { withFile } from "../files.mjs";
 
 /** Writes `out`.NAME for each section of that name; `first` is what a new file begins with. */
-export async function joinSections(out, parts, { first } = {}) {
-  const files = new Map();
-  try {
-    for await (const sections of parts()) {
-      for (const [name, bytes] of Object.entries(sections)) {
-        const path = `${out}.${name}`;
-        if (!files.has(path)) {
-          files.set(path, await open(path, "w"));
-          if (first) await files.get(path).writeFile(first);
-        }
-        await files.get(path).writeFile(bytes);
-      }
+export async function joinSections(out, parts, { first = "" } = {}) {
+  const files = new Set();
+  for await (const sections of parts()) {
+    for (const [name, bytes] of Object.entries(sections)) {
+      const file = `${out}.${name}`;
+      const isNew = !files.has(file);
+      files.add(file);
+      await withFile(file, isNew ? "w" : "a", async (output) => {
+        if (isNew) await output.writeAll(Buffer.from(first));
+        await output.writeAll(bytes);
+      });
     }
-  } finally {
-    for (const file of files.values()) await file.close();
   }
-  return [...files.keys()];
+  return [...files];
 }

@@ -1,37 +1,27 @@
 // Text files in which a record is a line: ranges of whole lines, one for each job.
-import { open, stat } from "node:fs/promises";
+import { withFile } from "../files.mjs";
 
 const kLongestLine = 1 << 16;
 
 /** The rest of the line at a place in a file, with its end. */
 async function lineAt(file, input, place) {
-  const { buffer, bytesRead } = await input.read(
-    Buffer.alloc(kLongestLine),
-    0,
-    kLongestLine,
-    place,
-  );
-  const end = buffer.subarray(0, bytesRead).indexOf("\n");
-  if (end < 0 && bytesRead === kLongestLine)
+  const rest = (await input.size()) - place;
+  const bytes = await input.readAll(Math.min(rest, kLongestLine), place);
+  const end = bytes.indexOf("\n");
+  if (end < 0 && rest > kLongestLine)
     throw new Error(`${file}: the line at byte ${place} is very long`);
-  return buffer.subarray(0, end < 0 ? bytesRead : end + 1);
+  return end < 0 ? bytes : bytes.subarray(0, end + 1);
 }
 
 /** The first line of a file, with its end. */
-export async function firstLine(file) {
-  const input = await open(file);
-  try {
-    return await lineAt(file, input, 0);
-  } finally {
-    await input.close();
-  }
+export function firstLine(file) {
+  return withFile(file, "r", (input) => lineAt(file, input, 0));
 }
 
 /** Ranges {from, to, size} of whole lines, of about this many bytes; `size` is in MB. */
-export async function splitLines(file, { start = 0, bytes }) {
-  const { size } = await stat(file);
-  const input = await open(file);
-  try {
+export function splitLines(file, { start = 0, bytes }) {
+  return withFile(file, "r", async (input) => {
+    const size = await input.size();
     const ranges = [];
     for (let from = start; from < size; ) {
       const guess = from + bytes;
@@ -40,20 +30,11 @@ export async function splitLines(file, { start = 0, bytes }) {
       from = to;
     }
     return ranges;
-  } finally {
-    await input.close();
-  }
+  });
 }
 
 /** The text of a range. */
 export async function textOf(file, { from, to }) {
-  const bytes = Buffer.alloc(to - from);
-  const input = await open(file);
-  try {
-    const { bytesRead } = await input.read(bytes, 0, bytes.length, from);
-    if (bytesRead !== bytes.length) throw new Error(`${file} has become shorter`);
-  } finally {
-    await input.close();
-  }
+  const bytes = await withFile(file, "r", (input) => input.readAll(to - from, from));
   return bytes.toString("utf8");
 }

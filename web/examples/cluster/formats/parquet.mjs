@@ -1,9 +1,10 @@
 // Parquet and GeoParquet files: columns of numbers, or points, come in; id (int32) and distance
 // (float64) go out. Jobs are whole row groups.
 import * as zlib from "node:zlib";
-import { asyncBufferFromFile, parquetMetadataAsync, parquetRead, parquetSchema } from "hyparquet";
-import { fileWriter, ParquetWriter } from "hyparquet-writer";
+import { parquetMetadataAsync, parquetRead, parquetSchema } from "hyparquet";
+import { withFile } from "../files.mjs";
 import { encode as encodeBinary } from "./binary.mjs";
+import { writeParquet } from "./parquet_file.mjs";
 
 export const unit = "points";
 
@@ -14,12 +15,19 @@ const compressors = {
   ...(zlib.zstdDecompressSync && { ZSTD: (bytes) => zlib.zstdDecompressSync(bytes) }),
 };
 const codecs = ["UNCOMPRESSED", "SNAPPY", ...Object.keys(compressors)];
+const isOld = compressors.ZSTD === undefined;
 
 async function opened(file) {
-  const buffer = await asyncBufferFromFile(file);
+  const byteLength = await withFile(file, "r", (input) => input.size());
+  const buffer = {
+    byteLength,
+    slice: (from, to = byteLength) =>
+      withFile(file, "r", async (input) => (await input.readAll(to - from, from)).buffer),
+  };
   try {
     return { buffer, metadata: await parquetMetadataAsync(buffer) };
   } catch (error) {
+    if (error.path) throw error; // the system's errors name their files
     throw new Error(`${file}: ${error.message}`);
   }
 }
@@ -48,7 +56,10 @@ function columnsOf(file, metadata, columns) {
       ).meta_data;
       if (!codecs.includes(codec))
         throw new Error(
-          `${file}: column ${name} is compressed by ${codec}, not ${codecs.join(", ")}`,
+          `${file}: column ${name} is compressed by ${codec}, not ${codecs.join(", ")}` +
+            (codec === "ZSTD" && isOld
+              ? `; ZSTD needs Node 22.15, this is ${process.version}`
+              : ""),
         );
     }
   }
@@ -110,6 +121,7 @@ export async function read(file, { from, to, names, points }) {
   try {
     await parquetRead({ file: buffer, metadata, compressors, ...range, onChunk });
   } catch (error) {
+    if (error.path) throw error;
     throw new Error(`${file}, rows ${from} to ${to}: ${error.message}`);
   }
   if (problem) throw new Error(problem);
@@ -118,24 +130,22 @@ export async function read(file, { from, to, names, points }) {
 
 export const encode = encodeBinary;
 
-const column = (name, type) => ({ name, type, repetition_type: "REQUIRED" });
+const bufferOf = (bytes) => bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.length);
 
 /** A row group a part. */
-export async function join(out, parts, { distances }) {
-  const file = `${out}.parquet`;
-  const columns = [column("id", "INT32"), ...(distances ? [column("distance", "DOUBLE")] : [])];
-  const schema = [{ name: "root", num_children: columns.length }, ...columns];
-  const writer = new ParquetWriter({ writer: fileWriter(file), schema });
-  for await (const sections of parts()) {
-    const copy = (bytes) => bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.length);
-    const columnData = [{ name: "id", data: new Int32Array(copy(sections["ids.i32"])) }];
-    if (distances)
-      columnData.push({
-        name: "distance",
-        data: new Float64Array(copy(sections["distances.f64"])),
-      });
-    await writer.write({ columnData, rowGroupSize: Math.max(1, columnData[0].data.length) });
+export function join(out, parts, { distances }) {
+  const columns = { id: "INT32", ...(distances && { distance: "DOUBLE" }) };
+  async function* groups() {
+    for await (const sections of parts()) {
+      const ids = new Int32Array(bufferOf(sections["ids.i32"]));
+      const group = [{ name: "id", data: ids }];
+      if (distances)
+        group.push({
+          name: "distance",
+          data: new Float64Array(bufferOf(sections["distances.f64"])),
+        });
+      yield group;
+    }
   }
-  await writer.finish();
-  return [file];
+  return writeParquet(`${out}.parquet`, columns, groups());
 }

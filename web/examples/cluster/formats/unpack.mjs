@@ -1,19 +1,22 @@
 // Files that cannot be read from the middle, compressed ones and FeatureCollections of GeoJSON: one
 // pass makes a copy that can be, so that jobs read only their own ranges of it. The copy takes as
 // much room as the unpacked text; the memory does not depend on its size.
-import { createReadStream, createWriteStream, existsSync } from "node:fs";
-import { mkdir, rename } from "node:fs/promises";
+import { existsSync } from "node:fs";
+import { mkdir } from "node:fs/promises";
 import path from "node:path";
+import { Readable } from "node:stream";
 import { pipeline } from "node:stream/promises";
 import { createGunzip } from "node:zlib";
 import { chain } from "stream-chain";
 import { parser } from "stream-json";
 import { pick } from "stream-json/filters/pick.js";
 import { streamArray } from "stream-json/streamers/stream-array.js";
+import { replaceFile, withFile } from "../files.mjs";
 
 const kZipped = ".gz";
 const kCollection = ".geojson";
 const kLines = ".geojsonl";
+const kPiece = 1 << 20; // bytes that are read at once
 
 /** The end of the name of what is unpacked. */
 export function extensionOf(file) {
@@ -29,20 +32,35 @@ export async function unpacked(file, copy) {
   const target = copy + extensionOf(file);
   if (existsSync(target)) return target; // whole, or it would not have its name
   await mkdir(path.dirname(target), { recursive: true });
-  const steps = [
-    createReadStream(file),
-    ...(isZipped ? [createGunzip()] : []),
-    ...(isCollection ? [featureLines] : []),
-    createWriteStream(`${target}.new`),
-  ];
-  try {
-    await pipeline(steps);
-  } catch (error) {
-    if (error.path) throw error; // the system's errors name their files
-    throw new Error(`${file}: ${error.message}`);
-  }
-  await rename(`${target}.new`, target);
+  await withFile(file, "r", (input) =>
+    replaceFile(target, async (output) => {
+      let refused; // a pipeline may tell of the abort that a failure has led to
+      const steps = [
+        Readable.from(piecesOf(input)),
+        ...(isZipped ? [createGunzip()] : []),
+        ...(isCollection ? [featureLines] : []),
+        async (pieces) => {
+          for await (const piece of pieces)
+            await output.writeAll(Buffer.from(piece)).catch((error) => {
+              refused = error;
+              throw error;
+            });
+        },
+      ];
+      try {
+        await pipeline(steps);
+      } catch (error) {
+        if (refused ?? error.path) throw refused ?? error; // these name their files
+        throw new Error(`${file}: ${error.message}`);
+      }
+    }),
+  );
   return target;
+}
+
+async function* piecesOf(input) {
+  const size = await input.size();
+  for (let at = 0; at < size; at += kPiece) yield input.readAll(Math.min(kPiece, size - at), at);
 }
 
 /** The features of a FeatureCollection, a line each. */
