@@ -15,7 +15,7 @@ namespace {
 
 class IdenticalSites : public testing::Test {
  protected:
-  /// A circle of few: so many are identical, nested, and in line.
+  /// One of 24 circles: many are identical, nested, or in line.
   [[nodiscard]] Circle someCircle() {
     const auto whole = [this](std::size_t below) {
       return static_cast<double>(random_.below(below));
