@@ -187,7 +187,8 @@ TEST(Pick, TheSmallestOrTheLast) {
     EXPECT_EQ(picking.diagram().pick(x, y, farthest, top, id), Error::kNone);
     return id;
   };
-  EXPECT_EQ(at(0.5, 0.5, 0, Top::kSmallest), 2u) << "of two small ones the last";
+  EXPECT_EQ(at(0.25, 0.75, 0, Top::kSmallest), 2u) << "of two small ones the nearest";
+  EXPECT_EQ(at(0.75, 0.25, 0, Top::kSmallest), 1u) << "of two small ones the nearest";
   EXPECT_EQ(at(0.5, 0.5, 0, Top::kLast), 3u);
   EXPECT_EQ(at(-4, 0, 0, Top::kSmallest), 0u);
   EXPECT_EQ(at(18, 0, 1, Top::kSmallest), 4u) << "outside, at that very distance";

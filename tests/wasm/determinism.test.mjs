@@ -45,7 +45,8 @@ log1p log2 pow sin sinh tan tanh".split(" ");
 test("every call of every class is among the outputs", () => {
   const missing = runInNode(`${setUp}
     const view = new code.Diagram([0, 0, 1]).voronoi([0, 0, 1, 1]);
-    const kept = [code.Diagram.prototype, Object.getPrototypeOf(view), code.SphericalDiagram.prototype]
+    const { Diagram, SphericalDiagram } = code;
+    const kept = [Diagram.prototype, Object.getPrototypeOf(view), SphericalDiagram.prototype]
       .flatMap((prototype) => [prototype, Object.getPrototypeOf(prototype)])
       .filter((prototype) => prototype !== Object.prototype);
     const missing = new Set();

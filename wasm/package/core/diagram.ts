@@ -237,11 +237,11 @@ export class Diagram extends DynamicDiagram<ListedSite> {
 
   /**
    * The circle under a pointer. Of the circles that contain the point, rim included, it is the one
-   * on top: the smallest (of equally large ones the nearest), or with `top: "last"` the one with the
-   * largest id. If none contains the point, it is the nearest site within `maxDistance` (default: Infinity;
-   * 0 for none), else -1. `filter` leaves some out. Exact. Cost: one location and O(m log m), m the
-   * number of neighbours of the circles that contain the point or are asked about. Throws
-   * "not-finite", "out-of-range", "bad-option".
+   * on top: the smallest (of equally large ones the nearest), or with `top: "last"` the one with
+   * the largest id. If none contains the point, it is the nearest site within `maxDistance`
+   * (default: Infinity; 0 for none), else -1. `filter` leaves some out. Exact. Cost: one location
+   * and O(m log m), m the number of neighbours of the circles that contain the point or are asked
+   * about. Throws "not-finite", "out-of-range", "bad-option".
    */
   pick(x: number, y: number, ...how: PickArguments): number {
     return pick(planarOf(this), x, y, how);

@@ -174,8 +174,8 @@ export type PickArguments =
 export interface PickOptions extends FilterOptions {
   /**
    * Which of several circles that contain the point is on top: "smallest" (default), where large
-   * circles are drawn first (of equally large ones it is the nearest, as `find` has it); "last", the
-   * one with the largest id, where all are drawn in that order.
+   * circles are drawn first (of equally large ones it is the nearest, as `find` has it); "last",
+   * the one with the largest id, where all are drawn in that order.
    */
   top?: "smallest" | "last" | undefined;
 }

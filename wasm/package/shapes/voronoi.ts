@@ -76,8 +76,8 @@ const [kFirstCells, kMostCells] = [256, 8192];
  *
  * Cells have curved edges, and everything is computed from these: drawings and polygons are within
  * a tolerance of them, measures are those of the curves. (So the areas of polygons are not exactly
- * those of cells: within 0.5 % by default, however small a cell is.) A clipped cell can be several *parts*
- * (if its site's centre is outside the window), which have holes where the window does.
+ * those of cells: within 0.5 % by default, however small a cell is.) A clipped cell can be several
+ * *parts* (if its site's centre is outside the window), which have holes where the window does.
  *
  * In a window that is not a rectangle, the first call after a change of the diagram finds where the
  * window's rings pass through the cells. That takes about O(n + (m + c) log d), m being their
@@ -345,9 +345,9 @@ export class Voronoi implements Disposable {
   /**
    * The `count` largest of such circles, the largest first, none with its centre in one before it:
    * where to put new sites apart from each other. Fewer if there are no more. A view's distance
-   * does not matter. With `inside`, these are chosen from: the circles about Voronoi vertices that do
-   * not cross the border, and the largest one of each cell at the border; so there may be room for
-   * more. Throws "not-finite", "out-of-range" (count), "bad-option",
+   * does not matter. With `inside`, these are chosen from: the circles about Voronoi vertices that
+   * do not cross the border, and the largest one of each cell at the border; so there may be room
+   * for more. Throws "not-finite", "out-of-range" (count), "bad-option",
    * "no-convergence". O(n (log n + count)).
    */
   emptyCircles(count: number, options?: EmptyCircleOptions): EmptyCircle[] {
