@@ -28,7 +28,7 @@ bool areApart(const VoronoiCircle& a, const VoronoiCircle& b) {
 bool DelaunayGraph::isPoint(HalfedgeId h) const {
   const EdgeCorners e = edge(h);
   const bool isBounded = e.i != nullptr && e.j != nullptr && e.k != nullptr && e.l != nullptr;
-  // The same three sites have two circles, one in each order.
+  // If both apexes are one site, the two faces have its two circles, one in each order.
   return isBounded && e.k != e.l && !areApart(circle(faceOf(h)), circle(faceOf(graph_.twin(h)))) &&
          touchesBetween(*e.i, *e.j, *e.k, *e.l);
 }

@@ -132,7 +132,7 @@ std::size_t DiagramCore::removeMany(std::span<const SiteId> ids) {
 void DiagramCore::detachSite(Slot slot, Undo undo) {
   if (ids_.state(slot) == SiteState::kHidden) {
     invariant(hidden_.isChild(slot), "a hidden site hangs on another");
-    // What may hang on it may hang on its parent, too.
+    // Its children may hang on its parent, too.
     hidden_.dissolve(slot, MayHang{*this});
   } else {
     detachVisible(slot, undo);
@@ -170,10 +170,10 @@ void DiagramCore::detachVisible(Slot slot, Undo undo) {
   }
 }
 
-/// Of identical ones, the one with the least id adopts the others. Then the largest adopts all
-/// children that it covers: a question each, while the remover locates each that it gets. That goes
-/// on with the largest of the rest as long as a quarter of them is adopted: at most four questions
-/// a child.
+/// Among identical children, the one with the least id adopts the others. Then the largest adopts
+/// all children that it covers: a question each, while the remover locates each that it gets. That
+/// goes on with the largest of the rest as long as a quarter of them is adopted: at most four
+/// questions a child.
 void DiagramCore::reparentNestedChildren(Slot slot) {
   FlatArray<VertexId>& children = remover_.hiddenList();
   FlatArray<Remover::Outcome>& adopted = remover_.adoptedList();

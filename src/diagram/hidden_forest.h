@@ -35,7 +35,7 @@
 // which become visible. Each is hung then on what covers it, so that it comes up again only when
 // that one is removed.
 //
-// Of two identical sites, the one with the larger id may hang on the other (DiagramCore::mayHang).
+// A site may hang on an identical one with a lesser id (DiagramCore::mayHang).
 // So of identical sites the one with the least id is visible, if any is. Proof. A site that is
 // inserted takes the place of an identical visible one with a larger id. Else let s become visible
 // as its parent p is removed, and let t be identical to s. The visible site above t covers t, hence

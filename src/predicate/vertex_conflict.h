@@ -83,7 +83,7 @@ namespace stages {
 /// opposite to this corner?
 enum class FaceCorner : unsigned char { kReference, kJ, kK };
 [[nodiscard]] bool isOpposite(const Site& i, Corner j, Corner k, Corner q, FaceCorner corner);
-/// The same in long integers.
+/// Its exact stage, in long integers.
 [[nodiscard]] bool isOppositeExact(const Site& i, Corner j, Corner k, Corner q, FaceCorner corner);
 
 }  // namespace stages

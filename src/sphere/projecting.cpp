@@ -67,7 +67,7 @@ void Projecting::makeCaps(std::size_t most) {
 void Projecting::beginToFill() {
   SiteId pole = choice_->pole();
   choice_.reset();
-  // Of identical sites the one with the least id is visible.
+  // The pole is visible, so no identical site has a lesser id.
   for (SiteId id = 0; id < pole; ++id) {
     if (sites_.has(id) && areIdentical(caps_[id], caps_[pole])) pole = id;
   }

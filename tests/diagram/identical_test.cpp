@@ -1,5 +1,5 @@
-// Of identical circles the one with the least id is visible, after any history. (All histories of
-// the other tests are checked for that, too: support/canonical.cpp.)
+// Identical circles: the one with the least id is visible, after any history. (All histories of the
+// other tests are checked for that, too: support/canonical.cpp.)
 #include <gtest/gtest.h>
 
 #include <algorithm>

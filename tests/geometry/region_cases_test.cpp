@@ -15,15 +15,19 @@ namespace {
 
 using Ring = std::vector<double>;
 
-Region regionOf(const std::vector<Ring>& rings) {
+Error assignRings(Region& region, const std::vector<Ring>& rings) {
   std::vector<double> coordinates;
   std::vector<std::uint32_t> starts{0};
   for (const Ring& ring : rings) {
     coordinates.insert(coordinates.end(), ring.begin(), ring.end());
     starts.push_back(static_cast<std::uint32_t>(coordinates.size() / 2));
   }
+  return region.assign(coordinates, starts);
+}
+
+Region regionOf(const std::vector<Ring>& rings) {
   Region region;
-  EXPECT_EQ(region.assign(coordinates, starts), Error::kNone);
+  EXPECT_EQ(assignRings(region, rings), Error::kNone);
   return region;
 }
 
@@ -267,14 +271,8 @@ TEST(RegionCases, RingsWithoutAreaHaveNoBoundary) {
     cases.push_back({other, line, line, line});
   }
   for (const std::vector<Ring>& rings : cases) {
-    std::vector<double> coordinates;
-    std::vector<std::uint32_t> starts{0};
-    for (const Ring& ring : rings) {
-      coordinates.insert(coordinates.end(), ring.begin(), ring.end());
-      starts.push_back(static_cast<std::uint32_t>(coordinates.size() / 2));
-    }
     Region region;
-    if (region.assign(coordinates, starts) != Error::kNone) continue;  // the other one has no area
+    if (assignRings(region, rings) != Error::kNone) continue;  // the other one has no area
     Diagram diagram;
     insertInto(diagram, {{45, 60, 0}, {111, 148, 0}, {30, 90, 7}});
     const Voronoi view(diagram, region);

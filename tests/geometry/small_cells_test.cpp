@@ -103,7 +103,7 @@ TEST(SmallCells, CellsInWindowsOfAnySize) {
     ASSERT_EQ(comb.assign(corners, starts), Error::kNone);
     const Reach reach(random.between(0, 30));
     std::size_t most = 0;
-    // What has less than this share of the window is rounding.
+    // Cells with less than this share of the window are rounding.
     const double thinnest = 1e-12 * areaOf(box);
     for (const Voronoi& view : {Voronoi(diagram, box), Voronoi(diagram, comb),
                                 Voronoi(diagram, box, &reach), Voronoi(diagram, comb, &reach)}) {

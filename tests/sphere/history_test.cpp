@@ -13,8 +13,9 @@
 namespace apollonius::test {
 namespace {
 
-/// The same sites by id, and the same areas up to rounding, but for sites that are so close that
-/// rounding tells which of them is visible. Of identical sites it is the one with the least id.
+/// Compares sites by id, and areas up to rounding, with a fresh diagram; sites that are so close
+/// that rounding tells which of them is visible are left out. Checks that of identical sites the
+/// one with the least id is visible.
 void expectLike(const SphericalDiagram& diagram, const std::map<SiteId, SphericalCircle>& sites) {
   Violation violation;
   ASSERT_EQ(diagram.validate(violation), Error::kNone);

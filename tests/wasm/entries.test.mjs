@@ -276,7 +276,7 @@ test("where nothing may be compiled, the error says what to do; later, it works"
   ).toEqual([...Array(3).fill("true not-loaded CompileError true"), "1"]);
 });
 
-// What a lack of memory makes fail: the program says how many calls go well before one throws.
+// Makes calls fail for lack of memory: the program says how many go well before one throws.
 const kNoMemory = `
   let left = Infinity;
   const fail = () => { throw new RangeError("could not allocate memory"); };

@@ -1,4 +1,4 @@
-// Of identical circles the one with the least id has the cell, on both surfaces, after any history:
+// Identical circles: the one with the least id has the cell, on both surfaces, after any history.
 // find, pick, neighbours, cells and restored diagrams name the same one.
 import { Diagram } from "../../build/packed/consumer.mjs";
 import { SphericalDiagram } from "../../build/packed/sphere.mjs";
@@ -7,7 +7,7 @@ import { generator } from "./support/random.mjs";
 const random = generator(67);
 const whole = (below) => Math.floor(random() * below);
 
-/** What is asked of each surface, where a site is named by two numbers. */
+/** Name, class, and cells as GeoJSON. On both surfaces a site is named by two numbers. */
 const surfaces = [
   ["plane", Diagram, (diagram) => diagram.voronoi([-1, -1, 50, 50]).toGeoJSON()],
   ["sphere", SphericalDiagram, (diagram) => diagram.toGeoJSON()],

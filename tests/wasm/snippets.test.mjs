@@ -9,7 +9,7 @@ import { packed } from "./support/install_packed.mjs";
 
 const folder = path.join(packed, "snippets");
 
-/** What pages around the snippets have: libraries without types here, and contexts to draw into. */
+/** Declares what pages have around the snippets: libraries without types here, contexts. */
 const kAround = `
 declare module "d3-hierarchy";
 declare module "*.wasm?url" { const address: string; export default address; }
@@ -46,7 +46,7 @@ const examples = readExamples().flatMap(({ file, setUp, examples: own }) =>
 /** That a parameter or variable has no type, which JavaScript cannot give it. */
 const isImplicitAny = ({ code }) => code >= 7000 && code < 7100;
 
-/** What the compiler says of snippets, each a module. */
+/** Compiles snippets, each a module; returns the compiler's messages. */
 function errorsOf(name, snippets, options) {
   const within = path.join(folder, name);
   rmSync(within, { recursive: true, force: true });

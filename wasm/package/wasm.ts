@@ -40,7 +40,7 @@ export interface WasmSources {
   sphere?: WasmSource;
 }
 
-/** Of this package (tools/build.mjs). */
+/** The version of this package (tools/build.mjs). */
 declare const VERSION: string;
 
 /**

@@ -87,9 +87,9 @@ export class Diagram extends DynamicDiagram<ListedSite> {
   }
 
   /**
-   * The same diagram as `from`'s, built in slices of some 8 ms on this thread, between which
-   * pages answer and timers run. Not cut are a few steps that make room for all sites, up to some
-   * 30 ms for a million of them, and the reading of an iterable that is no array. Rejects as `from`
+   * Builds the diagram of `from` in slices of some 8 ms on this thread, between which pages answer
+   * and timers run. Not cut are a few steps that make room for all sites, and take some 30 ms for a
+   * million of them, and the reading of an iterable that is no array. Rejects as `from`
    * throws; with the reason of `options.signal` once that aborts; with what accessors or
    * `onProgress` throw; then there is no diagram. Cost: about that of `from`.
    */

@@ -184,10 +184,10 @@ export class SphericalDiagram extends DynamicDiagram<ListedSphericalSite> {
   }
 
   /**
-   * The same diagram as `from`'s, built in slices of some 8 ms on this thread, between
-   * which pages answer and timers run. Rejects as `from` throws; with the reason of
-   * `options.signal` once that aborts; with what accessors or `onProgress` throw; then there is no
-   * diagram. Cost: about that of `from`.
+   * Builds the diagram of `from` in slices of some 8 ms on this thread, between which pages answer
+   * and timers run. Not cut are the steps that `Diagram.fromAsync` names. Rejects as `from` throws;
+   * with the reason of `options.signal` once that aborts; with what accessors or `onProgress` throw;
+   * then there is no diagram. Cost: about that of `from`.
    */
   static fromAsync<T>(
     items: Items<T>,

@@ -64,7 +64,7 @@ export function positive(text, name) {
   throw new Error(`--${name} is a number above 0, not ${text}`);
 }
 
-/** What submit and build have in common: where their workers are. */
+/** Options that submit and build have in common: where their workers are. */
 export const runOptions = {
   workers: {
     type: "string",

@@ -56,7 +56,7 @@ async function sectionsOf(file, run, index) {
   return facts.run === run && facts.index === index && at === size ? facts.sections : null;
 }
 
-/** What an action gives for the open file of a part and its sections; null without a good part. */
+/** Opens a part and calls action(file, sections); null without a good part. */
 async function withPart(folder, run, index, action) {
   try {
     return await withFile(partFile(folder, run, index), "r", async (file) => {

@@ -331,7 +331,7 @@ export function notLoaded(message: string, cause?: unknown): ApolloniusError {
   return new ApolloniusError("not-loaded", message, { cause });
 }
 
-/** What an engine says when it does not compile or start a module, where no stack is lacking. */
+/** Turns what an engine throws, when it does not compile or start a module, into our error. */
 export function notCompiled(cause: unknown): unknown {
   if (cause instanceof ApolloniusError) return cause;
   if (cause instanceof RangeError) return outOfMemory();
