@@ -112,7 +112,7 @@ function answered(call) {
   }
 }
 
-/** Adds calls for which one scene of a kind is enough: shapes and values, in windows of all kinds. */
+/** Adds calls for which one scene of a kind is enough: shapes, and values in all windows. */
 async function addWindows(diagram, bytes, random) {
   const [xs, ys] = ["x", "y"].map((key) => Array.from(diagram, (site) => site[key]));
   const [xmin, xmax, ymin, ymax] = [xs, ys].flatMap((all) => [Math.min(...all), Math.max(...all)]);

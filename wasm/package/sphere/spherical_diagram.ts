@@ -186,8 +186,8 @@ export class SphericalDiagram extends DynamicDiagram<ListedSphericalSite> {
   /**
    * Builds the diagram of `from` in slices of some 8 ms on this thread, between which pages answer
    * and timers run. Not cut are the steps that `Diagram.fromAsync` names. Rejects as `from` throws;
-   * with the reason of `options.signal` once that aborts; with what accessors or `onProgress` throw;
-   * then there is no diagram. Cost: about that of `from`.
+   * with the reason of `options.signal` once that aborts; with what accessors or `onProgress`
+   * throw. Then there is no diagram. Cost: about that of `from`.
    */
   static fromAsync<T>(
     items: Items<T>,

@@ -177,10 +177,10 @@ export interface Treemap<Datum = unknown> {
   previous(root: (TreemapInput<Datum> & Partial<TreemapCell>) | null): this;
 
   /**
-   * Gives the key by which a node is matched with that of `previous`. Default: `node.id`, or else `data.id` or
-   * `data.name`, or else, of the pairs [key, value] in trees of d3.group and d3.rollup, the key, or
-   * else `data` itself. Where siblings without names come and go at once, only a key can tell
-   * which is which: without one the layout throws "bad-option".
+   * Gives the key by which a node is matched with that of `previous`. Default: `node.id`, or else
+   * `data.id` or `data.name`, or else, of the pairs [key, value] in trees of d3.group and
+   * d3.rollup, the key, or else `data` itself. Where siblings without names come and go at once,
+   * only a key can tell which is which: without one the layout throws "bad-option".
    */
   key(): ((node: TreemapInput<Datum>, index: number) => unknown) | null;
   key(key: ((node: TreemapInput<Datum>, index: number) => unknown) | null): this;
