@@ -162,6 +162,21 @@ describe("previous: which node is which", () => {
         .key((_, index) => index)(root);
       expect(deviationOf(byIndex)).toBeLessThan(1e-6);
     }
+    // [key, value] is a pair of d3.rollup only below a Map; here a name comes second.
+    const pairs = (...children) =>
+      hierarchy({ children }).sum((data) => (Array.isArray(data) ? data[0] : 0));
+    const ofPairs = layout()(pairs([1, "a"], [2, "b"]));
+    const exchanged = pairs([2, "a"], [1, "b"]);
+    expectRefusal(() => layout().previous(ofPairs)(exchanged), "bad-option", "have no names");
+    const rowsOf = (...list) => groupsOf(list, () => "all");
+    const ofRows = (...list) =>
+      hierarchy(rowsOf(...list)).sum(([size]) => (typeof size === "number" ? size : 0));
+    const grouped = layout()(ofRows([1, "a"], [2, "b"]));
+    expectRefusal(
+      () => layout().previous(grouped)(ofRows([2, "a"], [1, "b"])),
+      "bad-option",
+      'children of node the string "all" have no names',
+    );
     const numbers = (...children) => hierarchy({ children }).sum((d) => (d > 0 ? d : 0));
     const message = "have no names";
     const old = layout()(numbers(1, 2));

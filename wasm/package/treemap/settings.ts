@@ -43,13 +43,14 @@ export function nameOf(node: Input): string {
 }
 
 /**
- * Identifies a node among its siblings, if nobody says something else: its name, which in the trees
- * of d3.group and d3.rollup is the first of a pair, or its datum itself.
+ * Identifies a node among its siblings, if nobody says something else: its name, which is the first
+ * of a pair from the Map of d3.group or d3.rollup, or its datum itself. In a tree that d3-hierarchy
+ * makes of a Map, the datum of a parent is such a pair, too: [key, Map].
  */
-export function usualKey({ id, data }: Input): unknown {
+export function usualKey({ id, data, parent }: Input): unknown {
   const { id: ownId, name } = (data ?? {}) as { id?: unknown; name?: unknown };
-  const isPair = Array.isArray(data) && data.length === 2;
-  return id ?? ownId ?? name ?? (isPair ? (data[0] as unknown) : data);
+  const isPair = Array.isArray(parent?.data) && parent.data[1] instanceof Map;
+  return id ?? ownId ?? name ?? (isPair ? (data as unknown[])[0] : data);
 }
 
 function checkedValue(node: Input, value: unknown): number {

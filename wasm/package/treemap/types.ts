@@ -34,6 +34,8 @@ export interface TreemapInput<Datum = unknown> {
   readonly height?: number | undefined;
   /** Missing for leaves. */
   readonly children?: readonly TreemapInput<Datum>[] | undefined;
+  /** null or missing for the root. */
+  readonly parent?: TreemapInput<Datum> | null | undefined;
 }
 
 /** How the children of a node were fitted into its cell. */
