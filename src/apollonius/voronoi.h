@@ -115,6 +115,10 @@ class APOLLONIUS_EXPORT Voronoi {
   [[nodiscard]] Error edgeCurves(CurveArrays& edges) const;
   /// The boundary of a cell, counter-clockwise, part by part. Cost: O(d log d).
   [[nodiscard]] Error cellCurves(SiteId id, CurveArrays& boundary) const;
+  /// The sites whose cells have an edge in common with this one's inside the window: those of the
+  /// pieces of edgeCurves() on both sides, so each of two neighbours has the other. In the order of
+  /// the boundary, each once. Cost: O(d log d).
+  [[nodiscard]] Error neighbors(SiteId id, std::vector<SiteId>& neighbors) const;
   /// The same as polygons that are valid in the sense of OGC's Simple Features, whatever the
   /// tolerance: rings do not cross, and come to no point twice. Neighbours have the points of their
   /// edge in common, but for some where rounding has put them out of order. A part about as small

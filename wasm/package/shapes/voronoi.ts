@@ -319,11 +319,11 @@ export class Voronoi implements Disposable {
    * The sites whose cells have an edge in common with this one's inside the window,
    * counter-clockwise, each once. An edge has a length, however small: cells that meet in a point
    * only are no neighbours, and `diagram.neighbors` may have them. That is decided exactly at
-   * Voronoi vertices, and up to rounding where the window or a distance ends an edge. O(d log d).
+   * Voronoi vertices, and up to rounding where the window or a distance ends an edge; of two
+   * neighbours each has the other, and `edgeCurves` the edge. O(d log d).
    */
   neighbors(id: number): Uint32Array {
-    const boundary = this.cellCurves(id);
-    return Uint32Array.from(new Set(boundary?.neighbors.filter((site) => site !== -1)));
+    return Voronoi.#nativeFor(this, id).neighbors(...this.#window, id);
   }
 
   // --- Empty circles, and room for labels --------------------------------------------------------
