@@ -26,13 +26,9 @@ bool areGood(std::span<const double> coordinates, std::span<const std::uint32_t>
   return std::all_of(coordinates.begin(), coordinates.end(), isInRange);
 }
 
-double areaOf(const NormalizedPolygon& polygon) {
+double insideOf(const NormalizedPolygon& polygon) {
   Sum sum;
-  for (std::size_t k = 0; k < polygon.ringCount(); ++k) {
-    const auto ring = polygon.ring(k);
-    for (std::size_t m = 1; m + 1 < ring.size(); ++m)
-      sum.add(cross(ring[m] - ring[0], ring[m + 1] - ring[0]) / 2);
-  }
+  for (std::size_t k = 0; k < polygon.ringCount(); ++k) sum.add(areaOf(polygon.ring(k)).value);
   return sum.value();
 }
 
@@ -48,7 +44,7 @@ Error Region::assign(std::span<const double> coordinates, std::span<const std::u
   try {
     auto state = std::make_unique<RegionState>();
     state->polygon = normalizePolygon(coordinates, starts);
-    state->area = areaOf(state->polygon);
+    state->area = insideOf(state->polygon);
     if (!(state->area > 0)) return Error::kBadBounds;
     state_ = std::move(state);
     return Error::kNone;

@@ -18,7 +18,8 @@ struct RegionState;
 
 /// Rings, of which the inside is where a line to infinity crosses them an odd number of times
 /// (even-odd rule), whatever their directions. They may cross and touch themselves and each other,
-/// repeat points, and overlap. Not thread-safe, also for reading: it keeps what it has found out
+/// repeat points, and overlap; parts whose area is but the rounding of their points are left out.
+/// Not thread-safe, also for reading: it keeps what it has found out
 /// about the diagram that it was last used with, as long as that stays as it is.
 class APOLLONIUS_EXPORT Region {
  public:

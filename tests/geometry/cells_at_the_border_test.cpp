@@ -227,5 +227,34 @@ TEST(Cells, WithoutAreaHaveNoPerimeter) {
   }
 }
 
+/// Rings of a window whose points are in line but for their last digits, in one cell and across
+/// several: windows have no such rings.
+TEST(Cells, HaveNoPerimeterAlongFlatRings) {
+  Random random(530);
+  for (int run = 0; run < runs(200); ++run) {
+    // (1.2, 0.9), (1.4, 1), (0.2, 0.4); or three points that look as if they were on one line.
+    const double x = run == 0 ? 0.2 : random.between(-1, 1), y = run == 0 ? 0.4 : 1.5;
+    const double dx = run == 0 ? 1 : random.between(-1, 1), dy = run == 0 ? 0.5 : 0.3;
+    std::vector<double> corners{2, -2, 2, 2, -2, 2};
+    for (const double step : {1.0, 1.2, 0.0})
+      corners.insert(corners.end(), {x + step * dx, y + step * dy});
+    if (run == 0) corners = {2, -2, 2, 2, -2, 2, 1.2, 0.9, 1.4, 1, 0.2, 0.4};
+    Region window, plain;
+    ASSERT_EQ(window.assign(corners, std::vector<std::uint32_t>{0, 3, 6}), Error::kNone);
+    corners.resize(6);
+    ASSERT_EQ(plain.assign(corners, std::vector<std::uint32_t>{0, 3}), Error::kNone);
+    EXPECT_EQ(window.area(), plain.area());
+    Diagram diagram;
+    insertInto(diagram, {{-1, 1, 0}, {2, 1, 0}});
+    for (SiteId id = 0; id < 2; ++id) {
+      CellMeasures own, expected;
+      ASSERT_EQ(Voronoi(diagram, window).cellMeasures(id, own), Error::kNone);
+      ASSERT_EQ(Voronoi(diagram, plain).cellMeasures(id, expected), Error::kNone);
+      EXPECT_NEAR(own.perimeter, expected.perimeter, 1e-9) << "run " << run;
+      EXPECT_NEAR(own.area, expected.area, 1e-9) << "run " << run;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace apollonius::test

@@ -49,12 +49,8 @@ struct Cell {
   }
 };
 
-/// An area, and a bound of what the roundings in its computation (not those of the curves) can be.
-struct Area {
-  double value = 0;
-  double rounding = 0;
-};
-/// Of a closed counter-clockwise boundary. `origin` should be near it.
+/// Encloses a counter-clockwise boundary. Roundings: those of the computation alone. `origin`
+/// should be near the boundary.
 [[nodiscard]] Area areaOf(std::span<const BoundaryPiece> boundary, Point origin);
 
 }  // namespace apollonius::internal

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/radix_sort.h"
+#include "geometry/window/polygon.h"
 #include "number/fp.h"
 #include "predicate/orientation.h"
 
@@ -11,13 +12,6 @@ namespace apollonius::internal {
 namespace {
 
 constexpr std::uint32_t kNotOnWay = 0xFFFFFFFFu;
-
-double areaOf(std::span<const Point> ring) {
-  double area = 0;
-  for (std::size_t k = 1; k + 1 < ring.size(); ++k)
-    area += cross(ring[k] - ring[0], ring[k + 1] - ring[0]);
-  return area;
-}
 
 }  // namespace
 
@@ -93,7 +87,7 @@ void Tracer::cut(std::uint32_t point) {
     last = p;
   }
   way_.resize(begin);
-  loop.area = areaOf(ringOf(loop));
+  loop.area = 2 * areaOf(ringOf(loop)).value;
   if (absolute(loop.area) > width_ * reach) {
     loops_.push_back(loop);
   } else {

@@ -255,7 +255,7 @@ std::uint32_t Arrangement::next(std::uint32_t segment) const {
 
 void Arrangement::link(NormalizedPolygon& polygon) {
   FlatArray<char> isLinked(segments_.size(), 0);
-  polygon.starts.push_back(0);
+  polygon.starts.assign(1, 0);
   for (std::uint32_t first = 0; first < segments_.size(); ++first) {
     std::uint32_t at = first;
     while (at != kNoneBelow && isLinked[at] == 0) {
@@ -263,9 +263,9 @@ void Arrangement::link(NormalizedPolygon& polygon) {
       polygon.points.push_back(from(segments_[at]));
       at = next(at);
     }
-    // Less than three: what rounding has left of a crossing.
     const std::uint32_t start = polygon.starts.back();
-    if (polygon.points.size() >= start + std::size_t{3}) {
+    const Area area = areaOf(std::span<const Point>(polygon.points).subspan(start));
+    if (absolute(area.value) > area.rounding) {
       polygon.starts.push_back(static_cast<std::uint32_t>(polygon.points.size()));
     } else {
       polygon.points.resize(start);

@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "geometry/window/arrangement.h"
+#include "number/fp.h"
+#include "number/sum.h"
 #include "predicate/orientation.h"
 
 namespace apollonius::internal {
@@ -17,6 +19,24 @@ Rectangle boxOf(std::span<const Point> points) {
 }
 
 }  // namespace
+
+Area areaOf(std::span<const Point> ring) {
+  Sum sum;
+  // Each cross product has a rounding of each of the four differences, of the two products, and of
+  // their difference.
+  double roundings = 0;
+  for (std::size_t k = 1; k + 1 < ring.size(); ++k) {
+    const Point a = ring[k] - ring[0], b = ring[k + 1] - ring[0];
+    sum.add(cross(a, b) / 2);
+    roundings += 4 * (absolute(a.x * b.y) + absolute(a.y * b.x));
+  }
+  // A point that moves takes half of its way times what is between the points beside it.
+  for (std::size_t k = 0, before = ring.size() - 1; k < ring.size(); before = k++) {
+    const Point way = ring[k + 1 < ring.size() ? k + 1 : 0] - ring[before];
+    roundings += (absolute(ring[k].x * way.y) + absolute(ring[k].y * way.x)) / 2;
+  }
+  return {sum.value(), kUnitRoundoff * roundings};
+}
 
 NormalizedPolygon normalizePolygon(std::span<const double> coordinates,
                                    std::span<const std::uint32_t> starts) {

@@ -10,7 +10,8 @@
 //   2. Of segments that are the same, any two cancel: on both sides of them is the same.
 //   3. Which side of a segment is inside follows from the nearest segment below its left end.
 //   4. Segments are linked, each with the next one clockwise around their common point, so that
-//      what only touches itself there falls into several rings.
+//      what only touches itself there falls into several rings. Rings without an area up to
+//      rounding are left out: their points are on one line but for the last digits.
 //
 // All decisions are exact signs for the doubles that there are then.
 #pragma once
@@ -25,6 +26,15 @@ namespace apollonius::internal {
 
 /// No segment of a polygon. Others are numbered as the points that they start at.
 inline constexpr std::uint32_t kNoSegment = 0xFFFFFFFFu;
+
+/// An area, and a bound of what roundings can be in it.
+struct Area {
+  double value = 0;
+  double rounding = 0;
+};
+/// Encloses a closed ring, negative if that is clockwise. Roundings: those of the points, which may
+/// stand for others up to half a unit in the last place, and those of the computation.
+[[nodiscard]] Area areaOf(std::span<const Point> ring);
 
 struct NormalizedPolygon {
   FlatArray<Point> points;  ///< of all rings, at least three a ring, none repeated at its end
