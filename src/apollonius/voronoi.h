@@ -109,7 +109,7 @@ class APOLLONIUS_EXPORT Voronoi {
   // site: kUnknownSite; a hidden one has an empty cell. Those with a tolerance (largest distance of
   // a drawn line from the true one): kNotFinite, kOutOfRange unless it is >= 0. Below 2^-36 of a
   // curve's size it has no further effect. 0 is the default: that of defaultTolerance(), and less
-  // where a cell is small: polygons are then mostly within 0.5 % of their cells' areas.
+  // where a cell is small: polygons are then within 0.5 % of their cells' areas.
 
   /// Each Voronoi edge inside the window, its pieces one by one.
   [[nodiscard]] Error edgeCurves(CurveArrays& edges) const;

@@ -136,6 +136,36 @@ TEST(SmallCells, ThinOnes) {
   }
 }
 
+/// Cells of which a side of the window leaves a strip beside a curve: from where the two touch, and
+/// beside a cell far smaller than its edges are long.
+TEST(SmallCells, StripsBesideACurve) {
+  struct Scene {
+    Circles circles;
+    Bounds box;
+  };
+  std::vector<Scene> scenes{
+      {{{0, 0, 8e-5}, {1, 0, 0}}, {0.50003, -0.1, 0.50005, 0.05}},
+      {{{5, 1, 2}, {4, 2, 1}, {-5, 3, 0}, {-1, -1, 0}}, {-1e8, -1e8, 1e8, 1e8}},
+  };
+  for (int k = 1; k <= 18; ++k) {  // the last strips are some thousand doubles wide
+    const double e = std::exp2(-k);
+    scenes.push_back({{{4, 0, 0}, {2, 0, 1}}, {3.5, -2 * e, 3.5 + e, e}});
+    scenes.push_back({{{4, 0, 0}, {2, 0, 1}}, {3.5 + e * e / 9, -2 * e, 3.5 + e, e}});
+  }
+  for (const auto& [circles, box] : scenes) {
+    Diagram diagram;
+    insertInto(diagram, circles);
+    Region region;
+    const std::vector<double> corners{box.xmin, box.ymin, box.xmax, box.ymin,
+                                      box.xmax, box.ymax, box.xmin, box.ymax};
+    ASSERT_EQ(region.assign(corners, std::vector<std::uint32_t>{0, 4}), Error::kNone);
+    for (const Voronoi& view : {Voronoi(diagram, box), Voronoi(diagram, region)}) {
+      SCOPED_TRACE(testing::Message() << "from " << box.xmin << ", " << box.ymin);
+      EXPECT_LT(pointsOf(view, circles.size()), 700u);
+    }
+  }
+}
+
 /// Points are in proportion to what is drawn: none for straight edges, some for each curved one.
 TEST(SmallCells, PointsAreInProportion) {
   Random random(3402);

@@ -67,7 +67,7 @@ class ChordFinder {
   const Border& border_;
   const Tolerance tolerance_;
   Point left_, right_;
-  double size_ = 0, allowed_ = 0, finest_ = 0, avoided_ = -1;
+  double size_ = 0, allowed_ = 0, finest_ = 0, finestAtBorder_ = 0, avoided_ = -1;
   FlatArray<Point> points_;
   bool isAtBorder_ = false;
 };

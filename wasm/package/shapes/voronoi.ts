@@ -76,9 +76,8 @@ const [kFirstCells, kMostCells] = [256, 8192];
  *
  * Cells have curved edges, and everything is computed from these: drawings and polygons are within
  * a tolerance of them, measures are those of the curves. (So the areas of polygons are not exactly
- * those of cells: by default mostly within 0.5 %, however small a cell is, and less exact where a
- * side of the window runs beside an edge.) A clipped cell can be several *parts* (if its site's
- * centre is outside the window), which have holes where the window does.
+ * those of cells: by default within 0.5 %, however small a cell is.) A clipped cell can be several
+ * *parts* (if its site's centre is outside the window), which have holes where the window does.
  *
  * In a window that is not a rectangle, the first call after a change of the diagram finds where the
  * window's rings pass through the cells. That takes about O(n + (m + c) log d), m being their
