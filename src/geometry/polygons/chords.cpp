@@ -11,8 +11,9 @@ namespace {
 
 /// Below this share of a piece's size the tolerance has no further effect: at most 2^18 points.
 constexpr double kFinestShare = powerOfTwo(-36);
-/// And the border none, or the cells' shapes: where it runs along an edge, at most 2^10 points.
-constexpr double kFinestAtBorder = powerOfTwo(-20);
+/// And the cells' shapes none, or the border, where both cells have the chord: where it runs along
+/// an edge, at most 2^10 points.
+constexpr double kFinestBetweenCells = powerOfTwo(-20);
 /// Points of an edge can be off by this share of their coordinates, of their distances from the
 /// sites and of the size of the edge (docs/PROOFS.md, "Polygons").
 constexpr double kMostOff = powerOfTwo(-38);
@@ -26,7 +27,8 @@ std::span<const Point> ChordFinder::find(const EdgePiece& piece) {
   avoided_ = piece.avoided;
   size_ = length(curve.p1 - curve.p0) + length(curve.p2 - curve.p1);
   allowed_ = std::max(tolerance_.distance, kFinestShare * size_);
-  finest_ = kFinestAtBorder * size_;
+  finest_ = kFinestBetweenCells * size_;
+  finestAtBorder_ = avoided_ < 0 ? finest_ : kFinestShare * size_;
   points_.clear();
   points_.push_back(curve.p0);
   halve(curve, piece.fromSegment, piece.toSegment, Conic::kMostHalvings);
@@ -61,10 +63,10 @@ bool ChordFinder::isHalved(const Conic& curve, const Conic& first, const Conic& 
   // and halving on will not help.
   if (!turns(curve.p0, curve.p2)) return turns(first.p0, first.p2) || turns(second.p0, second.p2);
   return !spansLittle(curve.p0, curve.p2) ||
-         (sagitta > finest_ && (entersDisc(curve.p0, curve.p2) ||
-                                isLarge(sagitta, curve, left_, fromSegment, toSegment) ||
-                                isLarge(sagitta, curve, right_, fromSegment, toSegment) ||
-                                border_.isNear(curve, fromSegment, toSegment)));
+         (sagitta > finest_ && (isLarge(sagitta, curve, left_, fromSegment, toSegment) ||
+                                isLarge(sagitta, curve, right_, fromSegment, toSegment))) ||
+         (sagitta > finestAtBorder_ &&
+          (entersDisc(curve.p0, curve.p2) || border_.isNear(curve, fromSegment, toSegment)));
 }
 
 /// Is more than the share of the height needed over a chord, towards a site?
