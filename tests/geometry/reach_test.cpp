@@ -316,6 +316,113 @@ TEST(Reach, CirclesThatTouchEdgesOrEndInVerticesAreCutAsOthersAre) {
   }
 }
 
+/// Expects polygons of all cells that fit together and have the areas of the cells, up to a share.
+void expectPolygons(const Voronoi& voronoi, double tolerance, double share) {
+  std::vector<double> areas;
+  CoverageArrays coverage;
+  ASSERT_EQ(voronoi.cellAreas(areas), Error::kNone);
+  ASSERT_EQ(voronoi.cellPolygons(tolerance, coverage), Error::kNone);
+  CoverageJudge judge(coverage, 0);
+  judge.expectNoCrossings();
+  EXPECT_EQ(judge.complaints(), "");
+  for (SiteId id = 0; id < areas.size(); ++id) {
+    RingArrays polygon;
+    ASSERT_EQ(voronoi.cellPolygon(id, tolerance, polygon), Error::kNone);
+    EXPECT_NEAR(areaOf(polygon), areas[id], share * areas[id]) << "site " << id;
+  }
+}
+
+/// The smaller circle's reach ends where it touches the edge, which bends around it and goes on:
+/// all chords there enter the circle, and a corner of its polygon can be beyond one.
+TEST(Reach, PolygonsFitWhereAReachTouchesAnEdgeThatGoesOn) {
+  for (const double scale : {1.0, 0x1p-19, 0x1p20}) {
+    for (const double place : {0.0, 1000.0}) {
+      for (const auto& [dx, dy] : {std::pair{2, 0}, {0, -3}, {3, 4}, {-1, 3}, {-2, -2}, {-4, 1}}) {
+        for (const double weight : {0.0, 0.5, 1.0}) {
+          const double distance = std::sqrt(1.0 * dx * dx + dy * dy);
+          for (const double off : {0.0, 1e-15, -1e-15, 1e-12, -1e-12, 1e-9, -1e-9, 1e-6, -1e-6}) {
+            for (const double farther : {kInfinity, 1.5 * scale}) {
+              SCOPED_TRACE(testing::Message() << scale << ' ' << place << ' ' << dx << ' ' << dy
+                                              << ' ' << weight << ' ' << off << ' ' << farther);
+              const double x = scale * place, half = (distance - weight) / 2 * (1 + off);
+              Diagram diagram;
+              insertInto(diagram,
+                         {{x, scale, scale * weight}, {x + scale * dx, scale + scale * dy, 0}});
+              const std::vector<double> distances{farther, scale * half};
+              const Reach reach{std::span<const double>(distances)};
+              const Window rectangle({x - 50 * scale, -50 * scale, x + 50 * scale, 50 * scale});
+              Region triangle;
+              const double ring[] = {x + 40 * scale, -40 * scale,    x + 40 * scale,
+                                     40 * scale,     x - 40 * scale, 40 * scale};
+              const std::uint32_t starts[] = {0, 3};
+              ASSERT_EQ(triangle.assign(ring, starts), Error::kNone);
+              for (const double tolerance : {0.0, 0.1 * scale}) {
+                const double share = tolerance == 0 ? 0.01 : 1;
+                expectPolygons(rectangle.of(diagram, &reach), tolerance, share);
+                expectPolygons(Voronoi(diagram, triangle, &reach), tolerance, share);
+              }
+            }
+          }
+        }
+      }
+    }
+  }
+}
+
+/// A corner of the window that points inwards is on the circle in which the cell ends.
+TEST(Reach, PolygonsFitWhereACircleTouchesACornerOfTheWindow) {
+  for (const double scale : {1.0, 0x1p-19, 0x1p20}) {
+    for (const double x : {4.0, 5.0, 6.0, 7.0, 8.0}) {
+      for (const double y : {2.0, 5.0, 7.0}) {
+        Region notched;
+        std::vector<double> ring{-50, -50, 50, -50, 50, 50, 6, 0, -50, 50};
+        for (double& coordinate : ring) coordinate *= scale;
+        const std::uint32_t starts[] = {0, 5};
+        ASSERT_EQ(notched.assign(ring, starts), Error::kNone);
+        Diagram diagram;
+        insertInto(diagram, {{scale * x, scale * y, scale}, {scale * -2, scale * 7, scale}});
+        const std::vector<double> distances{scale * (std::sqrt((x - 6) * (x - 6) + y * y) - 1),
+                                            scale};
+        const Reach reach{std::span<const double>(distances)};
+        for (const double tolerance : {0.0, 1e-3 * scale, scale}) {
+          SCOPED_TRACE(testing::Message() << scale << ' ' << x << ' ' << y << ' ' << tolerance);
+          expectPolygons(Voronoi(diagram, notched, &reach), tolerance, tolerance == 0 ? 0.01 : 1);
+        }
+      }
+    }
+  }
+}
+
+/// Circles that pass corners of the window, end in vertices or touch edges, by small numbers.
+TEST(Reach, BoundariesHaveNoPiecesWithoutLength) {
+  Random random(675);
+  const auto tick = [&](std::size_t count) { return static_cast<double>(random.below(count)) / 2; };
+  for (int run = 0; run < runs(1000); ++run) {
+    Circles circles;
+    std::vector<double> distances;
+    for (int k = 0; k < 5; ++k) {
+      circles.push_back({tick(20), tick(20), tick(3)});
+      const double toSomePlace = std::hypot(tick(20) - circles[k].x, tick(20) - circles[k].y);
+      distances.push_back(run % 4 == 0 ? tick(8) : toSomePlace - circles[k].r);
+    }
+    Diagram diagram;
+    insertInto(diagram, circles);
+    const Reach reach{std::span<const double>(distances)};
+    const Bounds bounds{2, 3, 8 + tick(20), 9 + tick(20)};
+    for (const Window& window : {Window(bounds), Window(bounds, 0.25)}) {
+      for (SiteId id = 0; id < circles.size(); ++id) {
+        CurveArrays boundary;
+        ASSERT_EQ(window.of(diagram, &reach).cellCurves(id, boundary), Error::kNone);
+        for (std::size_t k = 0; k < boundary.curves.size(); k += 7) {
+          const double* const curve = &boundary.curves[k];
+          EXPECT_FALSE(curve[0] == curve[5] && curve[1] == curve[6])
+              << "run " << run << " site " << id << ": " << curve[0] << ' ' << curve[1];
+        }
+      }
+    }
+  }
+}
+
 TEST(Reach, ADistanceIsMissingForASite) {
   Diagram diagram;
   insertInto(diagram, {{-3, 0, 0}, {3, 0, 0}});

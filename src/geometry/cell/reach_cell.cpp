@@ -114,6 +114,7 @@ void ReachCellClipper::cutBorder(const BoundaryPiece& piece, std::uint32_t sourc
   const bool isFromCut = first > 0, isToCut = last < size;
   const Conic inside = Conic::segment(isFromCut ? from + first * direction : from,
                                       isToCut ? from + last * direction : piece.curve.p2);
+  if (inside.p0 == inside.p2 && (isFromCut || isToCut)) return;  // as edges are cut
   pieces_.push_back(
       {{inside, kNoSite, piece.fromSegment, piece.toSegment}, isFromCut, isToCut, source});
 }

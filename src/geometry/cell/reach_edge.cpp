@@ -61,29 +61,32 @@ ReachedEdge reachedEdge(const Site& site, ReachOfSite reach, const Site& neighbo
   const double both =
       itsReach.distance < reach.distance ? endOfReach(neighbor, itsReach, site, bisector) : own;
   if (own == 0) return found;
-  const auto add = [&](Place from, Place to, bool isShared, bool isFromCut, bool isToCut) {
+  // An edge inside that has no length in doubles still says that the cell ends there.
+  const auto add = [&](Place from, Place to, bool isShared) {
     const bool isWhole = from.e == start.e && to.e == end.e;
+    if (from.point == to.point && !isWhole) return;
     const Conic part = isWhole ? piece : pieceOf(bisector, from.e, to.e, from.point, to.point);
-    found.pieces[found.count++] = {part, isShared && (isWhole || !isTouch(bisector, part)),
-                                   isFromCut, isToCut};
+    found.pieces[found.count++] = {part, isShared && (isWhole || !isTouch(bisector, part))};
   };
   // Where the site's reach begins and ends, and within that, where both reach.
   const bool isFromCut = start.e<1 / own, isToCut = end.e> own;
   const Place from = isFromCut ? Place{1 / own, bisector.at(1 / own)} : start;
   const Place to = isToCut ? Place{own, bisector.at(own)} : end;
-  // An edge inside that has no length in doubles still says that the cell ends there.
-  if (from.e > to.e || (from.e == to.e && (isFromCut || isToCut))) return found;
+  if (from.e > to.e) return found;
   const double low = both == 0 ? to.e : 1 / both;
   if (both == 0 || low >= to.e || both <= from.e) {
-    add(from, to, false, isFromCut, isToCut);
+    add(from, to, false);
   } else {
     const bool isLow = low > from.e, isHigh = both < to.e;
     const Place in = isLow ? Place{low, bisector.at(low)} : from;
     const Place out = isHigh ? Place{both, bisector.at(both)} : to;
-    if (isLow) add(from, in, false, isFromCut, false);
-    add(in, out, true, isFromCut && !isLow, isToCut && !isHigh);
-    if (isHigh) add(out, to, false, false, isToCut);
+    if (isLow) add(from, in, false);
+    add(in, out, true);
+    if (isHigh) add(out, to, false);
   }
+  if (found.count == 0) return found;
+  found.pieces[0].isFromCut = isFromCut;
+  found.pieces[found.count - 1].isToCut = isToCut;
   if (!isReference) {
     std::reverse(found.pieces.begin(), found.pieces.begin() + found.count);
     for (std::size_t k = 0; k < found.count; ++k) found.pieces[k] = reversed(found.pieces[k]);

@@ -24,7 +24,7 @@ struct ReachedPiece {
   Conic curve;
   bool isShared;  ///< is it within the neighbor's reach, too, and not but touches it?
   /// Does it end where the site's reach does, rather than where the edge given does?
-  bool isFromCut, isToCut;
+  bool isFromCut = false, isToCut = false;
 };
 
 /// At most three, in the order of the edge: beyond the neighbor's reach, within both, beyond.

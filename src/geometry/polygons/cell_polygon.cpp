@@ -131,7 +131,7 @@ bool PolygonFinder::appendRing(std::span<const BoundaryPiece> boundary, bool isH
 /// A piece with nothing on its right: of the edge with a neighbor that does not reach so far, whose
 /// cell's chords are inside of its circle; or an arc, which is seen from any point beyond.
 EdgePiece PolygonFinder::atReach(const BoundaryPiece& piece, Point center) const {
-  EdgePiece edge{piece.curve, center, {}, piece.fromSegment, piece.toSegment};
+  EdgePiece edge{piece.curve, center, {}, piece.fromSegment, piece.toSegment, 0};
   if (piece.neighbor == kNoSite) {
     edge.right = piece.curve.p1 + (piece.curve.p1 - center);
   } else {

@@ -11,8 +11,9 @@ namespace {
 
 /// Below this share of a piece's size the tolerance has no further effect: at most 2^18 points.
 constexpr double kFinestShare = powerOfTwo(-36);
-/// And the border none, where it runs along an edge: at most 2^10 points.
-constexpr double kFinestAtBorder = powerOfTwo(-20);
+/// And the border none, where both cells have the chord and it runs along an edge: at most 2^10
+/// points.
+constexpr double kFinestBetweenCells = powerOfTwo(-20);
 /// Points of an edge can be off by this share of their coordinates, of their distances from the
 /// sites and of the size of the edge (docs/PROOFS.md, "Polygons").
 constexpr double kMostOff = powerOfTwo(-38);
@@ -26,7 +27,7 @@ std::span<const Point> ChordFinder::find(const EdgePiece& piece) {
   avoided_ = piece.avoided;
   size_ = length(curve.p1 - curve.p0) + length(curve.p2 - curve.p1);
   finest_ = kFinestShare * size_;
-  finestAtBorder_ = kFinestAtBorder * size_;
+  finestAtBorder_ = avoided_ < 0 ? kFinestBetweenCells * size_ : finest_;
   allowed_ = std::max(tolerance_.distance, finest_);
   points_.clear();
   points_.push_back(curve.p0);

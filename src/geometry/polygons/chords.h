@@ -36,8 +36,9 @@ struct EdgePiece {
   Conic curve;
   Point left, right;  ///< the centres of the sites on its sides
   std::uint32_t fromSegment = kNoSegment, toSegment = kNoSegment;  ///< of the polygon
-  /// Chords do not go into the disc of this radius about the centre on the right, out of which the
-  /// curve comes at most; none if it is negative.
+  /// Negative if the cell on the right has the same chords. Otherwise they keep to the border as
+  /// closely as to the curve, and do not go into the disc of this radius about the centre on the
+  /// right, out of which the curve comes at most.
   double avoided = -1;
 };
 
