@@ -10,7 +10,7 @@
 
 #include "api/checks.h"
 #include "api/region_state.h"
-#include "base/radix_sort.h"
+#include "diagram/listing.h"
 #include "geometry/cell/reach_cell.h"
 #include "geometry/cell/rectangle_cell.h"
 #include "geometry/clipping/cell_drawing.h"
@@ -218,19 +218,11 @@ Error Voronoi::neighbors(SiteId id, std::vector<SiteId>& neighbors) const {
   return clipped(firstOf(windowError(), siteError(id)), [&](const Clipping& clipping) {
     // An edge is in thin parts of both its cells, whether or not these have an area.
     const auto cells = clipping.cells(Parts::kThinToo);
-    FlatArray<Keyed> found;
-    for (const BoundaryPiece& piece : cells->find(slotOf(id)).pieces) {
-      if (piece.sharedWith() != kNoSite)
-        found.push_back({piece.sharedWith(), static_cast<std::uint32_t>(found.size())});
-    }
-    sortByKey(found);
-    FlatArray<Keyed> firsts;  // of each neighbour, by place
-    for (const auto& [site, place] : found) {
-      if (firsts.empty() || firsts.back().value != site) firsts.push_back({place, site});
-    }
-    sortByKey(firsts);
     neighbors.clear();
-    for (const Keyed& first : firsts) neighbors.push_back(first.value);
+    for (const BoundaryPiece& piece : cells->find(slotOf(id)).pieces) {
+      if (piece.sharedWith() != kNoSite) neighbors.push_back(piece.sharedWith());
+    }
+    keepFirstOccurrences(neighbors);
   });
 }
 
