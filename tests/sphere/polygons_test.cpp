@@ -153,6 +153,32 @@ TEST(SphericalPolygons, OfTwinsWhoseBorderPassesThePolesCoverTheMap) {
   }
 }
 
+/// Two sites that are close are seen from afar in nearly one direction, which leaves the vertex of
+/// two such pairs, mirrored, to rounding. It was two, on the wrong sides of each other, and what
+/// was computed as the edge between them crossed others.
+TEST(SphericalPolygons, OfClosePairsThatMirrorEachOtherCoverTheMap) {
+  expectCover({{10, 45, 0}, {10.1, 45, 0}, {10, 89, 0}, {10.1, 89, 0}}, 1e-4, 300);
+  expectCover({{0, 0, 0}, {0.001, 0, 0}, {0, 30, 0}, {0.001, 30, 0}}, 1e-4, 300);
+  expectCover({{-75, 80, 0}, {-74.9, 80, 0}, {-75, -80, 0}, {-74.9, -80, 0}}, 1e-4, 300);
+  Random random(25);
+  for (int round = 0; round < sized(200, 4000); ++round) {
+    const double apart = std::pow(10, -random.between(0, 6)), r = random.below(2u) * 0.1;
+    const double lon = std::floor(random.between(-180, 180)), next = wrapped(lon + apart);
+    const double lat = std::floor(random.between(-89, 89)), across = random.below(2u) * 180.0;
+    const double other = round % 2 == 0 ? -lat : std::floor(random.between(-89, 89));
+    if (other == lat && across == 0) continue;
+    expectCover({{lon, lat, r},
+                 {next, lat, r},
+                 {wrapped(lon + across), other, r},
+                 {wrapped(next + across), other, r}},
+                1e-4, 400);
+    // Beside a meridian, in a meridian's direction.
+    const double up = lat + (lat > 0 ? -apart : apart);
+    if (lon != -180 && lon != 0)
+      expectCover({{lon, lat, r}, {lon, up, r}, {-lon, lat, r}, {-lon, up, r}}, 1e-4, 400);
+  }
+}
+
 /// An edge that crosses the equator is an S on the map, whose middle says nothing; of a chord that
 /// crosses the antimeridian both parts are as close to the edge as the whole.
 TEST(SphericalPolygons, LinesOfTheMapAreWithinTheToleranceOfEdges) {
