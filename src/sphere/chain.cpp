@@ -216,6 +216,13 @@ struct ChainMaker::Edge {
     const double angle = rho + part * rise;
     return pointAt(centre, frame, angle, bearing);
   }
+  /// Where a part ends: at the edge's end if it is there but for rounding.
+  [[nodiscard]] double snapped(double part) const {
+    constexpr double kHere = 0x1p-42;
+    const bool isFirst = part < 0.5;
+    const Direction way = at(part) - (isFirst ? first : last).point;
+    return lengthOf(way) > kHere ? part : isFirst ? 0.0 : 1.0;
+  }
   /// Calls visit(from, to) for each part that is nearer to the site than the angle `reach`, which
   /// is above 0.
   template <class Visit>
@@ -357,8 +364,10 @@ void ChainMaker::appendWithin(const Edge& edge, VertexId node, const Sector& sec
     const double most = weight + reach.beyondCircle(diagram_.siteOf(of));
     if (!(most > 0)) return;
     edge.visitWithin(most, [&](double from, double to) {
-      cuts.push_back(from);
-      cuts.push_back(to);
+      const double first = edge.snapped(from), last = edge.snapped(to);
+      if (first == last) return;
+      cuts.push_back(first);
+      cuts.push_back(last);
     });
   };
   parts_.clear();
