@@ -216,13 +216,6 @@ struct ChainMaker::Edge {
     const double angle = rho + part * rise;
     return pointAt(centre, frame, angle, bearing);
   }
-  /// Where a part ends: at the edge's end if it is there but for rounding.
-  [[nodiscard]] double snapped(double part) const {
-    constexpr double kHere = 0x1p-42;
-    const bool isFirst = part < 0.5;
-    const Direction way = at(part) - (isFirst ? first : last).point;
-    return lengthOf(way) > kHere ? part : isFirst ? 0.0 : 1.0;
-  }
   /// Calls visit(from, to) for each part that is nearer to the site than the angle `reach`, which
   /// is above 0.
   template <class Visit>
@@ -364,10 +357,8 @@ void ChainMaker::appendWithin(const Edge& edge, VertexId node, const Sector& sec
     const double most = weight + reach.beyondCircle(diagram_.siteOf(of));
     if (!(most > 0)) return;
     edge.visitWithin(most, [&](double from, double to) {
-      const double first = edge.snapped(from), last = edge.snapped(to);
-      if (first == last) return;
-      cuts.push_back(first);
-      cuts.push_back(last);
+      cuts.push_back(from);
+      cuts.push_back(to);
     });
   };
   parts_.clear();
@@ -380,9 +371,12 @@ void ChainMaker::appendWithin(const Edge& edge, VertexId node, const Sector& sec
   }
 
   const auto pointAt = [&](double part) {
-    if (part <= 0) return edge.first;
-    if (part >= 1) return edge.last;
+    // But for rounding, a part may end where the edge does.
+    constexpr double kHere = 0x1p-42;
+    const MapPoint& end = part < 0.5 ? edge.first : edge.last;
+    if (part <= 0 || part >= 1) return end;
     MapPoint point = shown(edge.at(part));
+    if (lengthOf(point.point - end.point) <= kHere) return end;
     locate(point);
     return point;
   };

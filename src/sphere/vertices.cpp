@@ -124,10 +124,9 @@ void SphericalVertices::findSame(FaceId face) {
   const Graph& graph = diagram_.graph();
   // Where two sites are seen in nearly one direction, rounding moves a vertex farther than that,
   // and its distances to the sites by as little as anywhere.
-  const auto isAlsoOf = [&](const Entry& entry, VertexId node) {
+  const auto miss = [&](const Entry& entry, VertexId node) {
     const auto& [point, clearance] = entry.vertex;
-    return entry.isRefined &&
-           std::abs(distanceInRadians(point, diagram_.cap(node)) - clearance) <= kRounding;
+    return entry.isRefined ? std::abs(distanceInRadians(point, diagram_.cap(node)) - clearance) : 1;
   };
   reached_.assign(1, face);
   entryOf(face).same = face;  // reached, until all are known
@@ -140,9 +139,9 @@ void SphericalVertices::findSame(FaceId face) {
       Entry& entry = entryOf(beyond);
       if (entry.same != kNoFace) continue;
       const double length = lengthOf(entry.vertex.point - one.vertex.point);
-      const bool isShort =
-          length <= kShort || (length <= kLongest &&
-                               (isAlsoOf(one, graph.apex(twin)) || isAlsoOf(entry, graph.apex(h))));
+      const bool isShort = length <= kShort || (length <= kLongest &&
+                                                std::min(miss(one, graph.apex(twin)),
+                                                         miss(entry, graph.apex(h))) <= kRounding);
       if (!isShort) continue;
       entry.same = face;
       reached_.push_back(beyond);

@@ -88,6 +88,21 @@ TEST(SphericalPolygons, BordersAlongMeridiansHaveFewPointsAtAnyTolerance) {
   }
 }
 
+/// What surrounds the sphere is on the map as long as that is wide, or longer. Pieces are halved,
+/// so that there are twice as many as the tolerance asks for at most, and a hundredth of the
+/// tolerance takes ten times as many.
+TEST(SphericalPolygons, NumbersOfPointsGoWithTheRootOfTheTolerance) {
+  for (double lat = -85; lat <= 85; lat += sized(17, 1)) {
+    for (const double r : {0.0, 0.3}) {
+      SphericalSites sites = {{-138, lat, 0}, {42, -lat, 0}};
+      if (r > 0) sites = {{-165, lat, 0}, {15, lat, 0}, {0, 90, r}};
+      expectCover(sites, 1e-2, 110);
+      expectCover(sites, 1e-4, 600);
+      expectCover(sites, 1e-6, 6000);
+    }
+  }
+}
+
 /// Sets that are symmetric about a meridian have borders along it, and vertices at poles.
 TEST(SphericalPolygons, OfSetsThatAreSymmetricAboutAMeridianCoverTheMap) {
   Random random(22);
