@@ -371,9 +371,12 @@ void ChainMaker::appendWithin(const Edge& edge, VertexId node, const Sector& sec
   }
 
   const auto pointAt = [&](double part) {
-    if (part <= 0) return edge.first;
-    if (part >= 1) return edge.last;
+    // But for rounding, a part may end where the edge does.
+    constexpr double kHere = 0x1p-42;
+    const MapPoint& end = part < 0.5 ? edge.first : edge.last;
+    if (part <= 0 || part >= 1) return end;
     MapPoint point = shown(edge.at(part));
+    if (lengthOf(point.point - end.point) <= kHere) return end;
     locate(point);
     return point;
   };

@@ -66,7 +66,7 @@ SphericalVertex refined(const SphericalVertex& start, const std::array<const Cap
   return vertex;
 }
 
-SphericalVertex SphericalVertices::computed(FaceId face) const {
+SphericalVertices::Entry SphericalVertices::computed(FaceId face) const {
   const DelaunayGraph& plane = diagram_.plane().delaunay();
   const Graph& graph = plane.graph();
   std::array<const Cap*, 3> caps;
@@ -89,7 +89,7 @@ SphericalVertex SphericalVertices::computed(FaceId face) const {
                            : projection.fromCircle(circle.x, circle.y, circle.s, *touched);
   // Weights were reduced by the pole's.
   const SphericalVertex vertex = {cap.centre, cap.radius - diagram_.cap(kInfinity).weight};
-  return isClose ? vertex : refined(vertex, caps);
+  return {face, kNoFace, isClose ? vertex : refined(vertex, caps), !isClose};
 }
 
 std::size_t SphericalVertices::placeOf(FaceId face) const {
@@ -112,7 +112,7 @@ SphericalVertices::Entry& SphericalVertices::entryOf(FaceId face) {
   if (!isDirect_ && 2 * used_ >= entries_.size()) grow();
   Entry& entry = entries_[placeOf(face)];
   if (entry.face == kNoFace) {
-    entry = {face, kNoFace, computed(face)};
+    entry = computed(face);
     ++used_;
   }
   return entry;
@@ -120,17 +120,29 @@ SphericalVertices::Entry& SphericalVertices::entryOf(FaceId face) {
 
 /// All faces that are reached across short edges get the vertex of the first one of them by number.
 void SphericalVertices::findSame(FaceId face) {
-  constexpr double kShort = 0x1p-42;
+  constexpr double kShort = 0x1p-42, kLongest = 0x1p-30, kRounding = 0x1p-50;
   const Graph& graph = diagram_.graph();
+  // Where two sites are seen in nearly one direction, rounding moves a vertex farther than that,
+  // and its distances to the sites by as little as anywhere.
+  const auto miss = [&](const Entry& entry, VertexId node) {
+    const auto& [point, clearance] = entry.vertex;
+    return entry.isRefined ? std::abs(distanceInRadians(point, diagram_.cap(node)) - clearance) : 1;
+  };
   reached_.assign(1, face);
   entryOf(face).same = face;  // reached, until all are known
   FaceId first = face;
   for (std::size_t k = 0; k < reached_.size(); ++k) {
-    const Direction point = entryOf(reached_[k]).vertex.point;
+    const Entry one = entryOf(reached_[k]);
     for (unsigned corner = 0; corner < 3; ++corner) {
-      const FaceId beyond = faceOf(graph.twin(halfedgeOf(reached_[k], corner)));
+      const HalfedgeId h = halfedgeOf(one.face, corner), twin = graph.twin(h);
+      const FaceId beyond = faceOf(twin);
       Entry& entry = entryOf(beyond);
-      if (entry.same != kNoFace || lengthOf(entry.vertex.point - point) > kShort) continue;
+      if (entry.same != kNoFace) continue;
+      const double length = lengthOf(entry.vertex.point - one.vertex.point);
+      const bool isShort = length <= kShort || (length <= kLongest &&
+                                                std::min(miss(one, graph.apex(twin)),
+                                                         miss(entry, graph.apex(h))) <= kRounding);
+      if (!isShort) continue;
       entry.same = face;
       reached_.push_back(beyond);
       if (index(beyond) < index(first)) first = beyond;

@@ -20,8 +20,8 @@ struct SphericalVertex {
                                       const std::array<const Cap*, 3>& caps);
 
 /// The vertices of faces, each computed when it is first asked for. Vertices at the ends of an edge
-/// shorter than 2^-42 radians are the same: where more than three sites touch one cap, the faces of
-/// that cap have one vertex.
+/// that is as short as 2^-42 radians, or as rounding, are the same: where more than three sites
+/// touch one cap, the faces of that cap have one vertex.
 class SphericalVertices {
  public:
   /// Which faces will be asked for: with all of them, each has its place in an array at once.
@@ -42,12 +42,13 @@ class SphericalVertices {
     FaceId face = kNoFace;
     FaceId same = kNoFace;  // whose vertex this face has; kNoFace if that is not known yet
     SphericalVertex vertex = {};
+    bool isRefined = false;  // no two of the sites are close
   };
   [[nodiscard]] std::size_t placeOf(FaceId face) const;
   /// With the vertex of this face alone.
   [[nodiscard]] Entry& entryOf(FaceId face);
   void grow();
-  [[nodiscard]] SphericalVertex computed(FaceId face) const;
+  [[nodiscard]] Entry computed(FaceId face) const;
   void findSame(FaceId face);
 
   const ProjectedDiagram& diagram_;

@@ -88,6 +88,21 @@ TEST(SphericalPolygons, BordersAlongMeridiansHaveFewPointsAtAnyTolerance) {
   }
 }
 
+/// What surrounds the sphere is on the map as long as that is wide, or longer. Pieces are halved,
+/// so that there are twice as many as the tolerance asks for at most, and a hundredth of the
+/// tolerance takes ten times as many.
+TEST(SphericalPolygons, NumbersOfPointsGoWithTheRootOfTheTolerance) {
+  for (double lat = -85; lat <= 85; lat += sized(17, 1)) {
+    for (const double r : {0.0, 0.3}) {
+      SphericalSites sites = {{-138, lat, 0}, {42, -lat, 0}};
+      if (r > 0) sites = {{-165, lat, 0}, {15, lat, 0}, {0, 90, r}};
+      expectCover(sites, 1e-2, 110);
+      expectCover(sites, 1e-4, 600);
+      expectCover(sites, 1e-6, 6000);
+    }
+  }
+}
+
 /// Sets that are symmetric about a meridian have borders along it, and vertices at poles.
 TEST(SphericalPolygons, OfSetsThatAreSymmetricAboutAMeridianCoverTheMap) {
   Random random(22);
@@ -150,6 +165,32 @@ TEST(SphericalPolygons, OfTwinsWhoseBorderPassesThePolesCoverTheMap) {
     expectCover(sites, 1e-3, 300);
     for (const SphericalCircle& site : randomSites(random, 2, 0)) sites.push_back(site);
     expectCover(sites, 1e-2, 500);
+  }
+}
+
+/// Two sites that are close are seen from afar in nearly one direction, which leaves the vertex of
+/// two such pairs, mirrored, to rounding. It was two, on the wrong sides of each other, and what
+/// was computed as the edge between them crossed others.
+TEST(SphericalPolygons, OfClosePairsThatMirrorEachOtherCoverTheMap) {
+  expectCover({{10, 45, 0}, {10.1, 45, 0}, {10, 89, 0}, {10.1, 89, 0}}, 1e-4, 300);
+  expectCover({{0, 0, 0}, {0.001, 0, 0}, {0, 30, 0}, {0.001, 30, 0}}, 1e-4, 300);
+  expectCover({{-75, 80, 0}, {-74.9, 80, 0}, {-75, -80, 0}, {-74.9, -80, 0}}, 1e-4, 300);
+  Random random(25);
+  for (int round = 0; round < sized(200, 4000); ++round) {
+    const double apart = std::pow(10, -random.between(0, 6)), r = random.below(2u) * 0.1;
+    const double lon = std::floor(random.between(-180, 180)), next = wrapped(lon + apart);
+    const double lat = std::floor(random.between(-89, 89)), across = random.below(2u) * 180.0;
+    const double other = round % 2 == 0 ? -lat : std::floor(random.between(-89, 89));
+    if (other == lat && across == 0) continue;
+    expectCover({{lon, lat, r},
+                 {next, lat, r},
+                 {wrapped(lon + across), other, r},
+                 {wrapped(next + across), other, r}},
+                1e-4, 400);
+    // Beside a meridian, in a meridian's direction.
+    const double up = lat + (lat > 0 ? -apart : apart);
+    if (lon != -180 && lon != 0)
+      expectCover({{lon, lat, r}, {lon, up, r}, {-lon, lat, r}, {-lon, up, r}}, 1e-4, 400);
   }
 }
 

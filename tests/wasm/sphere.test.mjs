@@ -157,6 +157,31 @@ test.each([
   }
 });
 
+// Seen from afar, close sites leave the vertex of two mirrored pairs to rounding.
+test.each([
+  ["far from the poles", [10, 45, 0, 10.1, 45, 0, 10, 89, 0, 10.1, 89, 0]],
+  ["on the equator", [0, 0, 0, 0.001, 0, 0, 0, 30, 0, 0.001, 30, 0]],
+  ["across the equator", [-75, 80, 0, -74.9, 80, 0, -75, -80, 0, -74.9, -80, 0]],
+])("%s: polygons of close pairs that mirror each other are valid", (_, list) => {
+  const reader = new GeoJSONReader();
+  for (const { geometry } of new SphericalDiagram(list).toGeoJSON().features)
+    expect(new IsValidOp(reader.read(geometry)).isValid()).toBe(true);
+});
+
+// An edge left the reach a rounding away from its end, to which the ring went and came back.
+test.each([
+  ["antipodal", [-20, 60, 0, 160, 60, 0, -20, -60, 0]],
+  ["on the axis", [-25, -90, 0, 155, 90, 0, 105, -55.00809379747418, 0, -75, 55.00809379747418, 0]],
+  ["a rectangle", [163, 81.4591, 0, -17, 81.4591, 0, 163, -81.4591, 0, -17, -81.4591, 0]],
+])("%s: polygons of cells whose reach ends at vertices are valid", (_, list) => {
+  const reader = new GeoJSONReader();
+  for (const tolerance of [undefined, 1e-3, 1e-2]) {
+    const options = { distance: Math.PI / 2, tolerance };
+    for (const { geometry } of new SphericalDiagram(list).toGeoJSON(options).features)
+      expect(new IsValidOp(reader.read(geometry)).isValid()).toBe(true);
+  }
+});
+
 test("points without weights have the neighbours and cells of d3-geo-voronoi", () => {
   const points = sites(400, 0);
   const diagram = SphericalDiagram.from(points);

@@ -27,7 +27,7 @@ std::span<const Point> ChordFinder::find(const EdgePiece& piece) {
   avoided_ = piece.avoided;
   size_ = length(curve.p1 - curve.p0) + length(curve.p2 - curve.p1);
   finest_ = kFinestShare * size_;
-  finestAtBorder_ = avoided_ < 0 ? kFinestBetweenCells * size_ : finest_;
+  finestAtBorder_ = isBetweenCells() ? kFinestBetweenCells * size_ : finest_;
   allowed_ = std::max(tolerance_.distance, finest_);
   points_.clear();
   points_.push_back(curve.p0);
@@ -63,8 +63,9 @@ bool ChordFinder::isHalved(const Conic& curve, const Conic& first, const Conic& 
   // and halving on will not help.
   if (!turns(curve.p0, curve.p2)) return turns(first.p0, first.p2) || turns(second.p0, second.p2);
   return !spansLittle(curve.p0, curve.p2) ||
-         (sagitta > finest_ && (isLarge(sagitta, curve, left_, fromSegment, toSegment) ||
-                                isLarge(sagitta, curve, right_, fromSegment, toSegment))) ||
+         (sagitta > finest_ &&
+          (isLarge(sagitta, curve, left_, fromSegment, toSegment) ||
+           (isBetweenCells() && isLarge(sagitta, curve, right_, fromSegment, toSegment)))) ||
          (sagitta > finestAtBorder_ &&
           (entersDisc(curve.p0, curve.p2) || border_.isNear(curve, fromSegment, toSegment)));
 }
@@ -93,7 +94,7 @@ bool ChordFinder::spansLittle(Point from, Point to) const {
 
 /// Does a chord go into the disc that is avoided? Not if it leads away from the centre.
 bool ChordFinder::entersDisc(Point from, Point to) const {
-  if (avoided_ < 0) return false;
+  if (isBetweenCells()) return false;
   const Point a = from - right_, b = to - right_, way = to - from;
   return dot(way, a) < 0 && dot(way, b) > 0 && absolute(cross(a, b)) < avoided_ * length(way);
 }

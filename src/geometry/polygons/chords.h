@@ -59,6 +59,8 @@ class ChordFinder {
                               std::uint32_t fromSegment, std::uint32_t toSegment) const;
   [[nodiscard]] bool isLarge(double sagitta, const Conic& curve, Point site,
                              std::uint32_t fromSegment, std::uint32_t toSegment) const;
+  /// Has the chord a cell on its right, too?
+  [[nodiscard]] bool isBetweenCells() const { return avoided_ < 0; }
   [[nodiscard]] bool turns(Point from, Point to) const;
   [[nodiscard]] bool spansLittle(Point from, Point to) const;
   [[nodiscard]] bool entersDisc(Point from, Point to) const;
