@@ -147,7 +147,7 @@ TEST(SmallCells, StripsBesideACurve) {
       {{{0, 0, 8e-5}, {1, 0, 0}}, {0.50003, -0.1, 0.50005, 0.05}},
       {{{5, 1, 2}, {4, 2, 1}, {-5, 3, 0}, {-1, -1, 0}}, {-1e8, -1e8, 1e8, 1e8}},
   };
-  for (int k = 1; k <= 18; ++k) {  // the last strips are some thousand doubles wide
+  for (int k = 1; k <= 17; ++k) {  // the last strips are 10^-10 wide
     const double e = std::exp2(-k);
     scenes.push_back({{{4, 0, 0}, {2, 0, 1}}, {3.5, -2 * e, 3.5 + e, e}});
     scenes.push_back({{{4, 0, 0}, {2, 0, 1}}, {3.5 + e * e / 9, -2 * e, 3.5 + e, e}});
@@ -164,6 +164,20 @@ TEST(SmallCells, StripsBesideACurve) {
       EXPECT_LT(pointsOf(view, circles.size()), 700u);
     }
   }
+}
+
+/// A window whose corner cuts off a sliver of a cell that is as thin as doubles.
+TEST(SmallCells, SliversOfRounding) {
+  Diagram diagram;
+  insertInto(
+      diagram,
+      {{0.4, -0.3, 0.2}, {1.2000000000000002, 0.5, 1}, {0.8, 1.5, 1.4000000000000001}, {1, -1, 0}});
+  const double x = 0.30000000000000004;
+  Region region;
+  ASSERT_EQ(
+      region.assign(std::vector<double>{-0.8, 0, x, 0, x, x}, std::vector<std::uint32_t>{0, 3}),
+      Error::kNone);
+  EXPECT_LT(pointsOf(Voronoi(diagram, region), 4, 1e-15), 200u);
 }
 
 /// Points are in proportion to what is drawn: none for straight edges, some for each curved one.

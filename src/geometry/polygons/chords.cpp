@@ -11,6 +11,8 @@ namespace {
 
 /// Below this share of a piece's size the tolerance has no further effect: at most 2^18 points.
 constexpr double kFinestShare = powerOfTwo(-36);
+/// Nor below this share of its numbers and of its distance from the site: that can be rounding.
+constexpr double kRounding = powerOfTwo(-46);
 /// And the border none, where both cells have the chord and it runs along an edge: at most 2^10
 /// points.
 constexpr double kFinestBetweenCells = powerOfTwo(-20);
@@ -26,9 +28,11 @@ std::span<const Point> ChordFinder::find(const EdgePiece& piece) {
   right_ = piece.right;
   avoided_ = piece.avoided;
   size_ = length(curve.p1 - curve.p0) + length(curve.p2 - curve.p1);
-  finest_ = kFinestShare * size_;
+  const double numbers =
+      std::max({absolute(curve.p0.x), absolute(curve.p0.y), length(curve.p0 - left_)});
+  finest_ = std::max(kFinestShare * size_, kRounding * numbers);
   finestAtBorder_ = isBetweenCells() ? kFinestBetweenCells * size_ : finest_;
-  allowed_ = std::max(tolerance_.distance, finest_);
+  allowed_ = std::max(tolerance_.distance, kFinestShare * size_);
   points_.clear();
   points_.push_back(curve.p0);
   halve(curve, piece.fromSegment, piece.toSegment, Conic::kMostHalvings);
