@@ -275,8 +275,9 @@ export class Voronoi implements Disposable {
   }
 
   /**
-   * All edges inside the window, as curves, none of length zero (see `neighbors`); an edge of which
-   * the window cuts out a part is several. O(n).
+   * All edges inside the window, as curves, none that is but a point (see `neighbors`); one shorter
+   * than doubles can tell has the same ends. An edge of which the window cuts out a part is several.
+   * O(n).
    */
   edgeCurves(): EdgeCurves {
     const { curves, sites } = Voronoi.#living(this).edgeCurves(...this.#window);
