@@ -197,6 +197,18 @@ withRedis("runs on one Redis, also of the same data, take no jobs from each othe
   }
 });
 
+/** Removes what is in a folder. False if it does not stay empty: something was written to it. */
+function isEmptied(folder) {
+  try {
+    for (const each of readdirSync(folder))
+      rmSync(path.join(folder, each), { recursive: true, force: true });
+    return true;
+  } catch (error) {
+    if (error.code !== "ENOTEMPTY") throw error;
+    return false;
+  }
+}
+
 withRedis("a worker whose folder is emptied goes on with the next plan in it", async () => {
   const { work, snapshot, file, ids, folder } = problem("emptied", {
     circles: 5000,
@@ -211,8 +223,7 @@ withRedis("a worker whose folder is emptied goes on with the next plan in it", a
     await until(async () => (await partsIn(work)).length > 5);
     submit.child.kill("SIGKILL"); // in the middle, with jobs in the queue and in hand
     await submit.ended;
-    for (const each of readdirSync(work))
-      rmSync(path.join(work, each), { recursive: true, maxRetries: 20 }); // while it is written to
+    await until(() => isEmptied(work)); // the worker writes to it meanwhile
   }
   const args = ["--folder", work, "--snapshot", snapshot, "--points", file, "--per-job", "900"];
   await finish("submit.mjs", args, shared);

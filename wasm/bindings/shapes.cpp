@@ -269,7 +269,7 @@ void registerShapes() {
            moved);
   function("cellCurves", inWindow<&Voronoi::cellCurves>(), allow_raw_pointers(), moved);
   function("edgeCurves", inWindow<&Voronoi::edgeCurves>(), allow_raw_pointers(), moved);
-  function("neighbors", inWindow<&Voronoi::neighbors>(), allow_raw_pointers());
+  function("cellNeighbors", inWindow<&Voronoi::neighbors>(), allow_raw_pointers());
   function("cellMoments", inWindow<&Voronoi::cellMoments>(), allow_raw_pointers());
   function("cellMeasures", inWindow<&Voronoi::cellMeasures>(), allow_raw_pointers());
   function("cellMeasuresWithin", &measuresWithin);

@@ -276,8 +276,8 @@ export class Voronoi implements Disposable {
 
   /**
    * All edges inside the window, as curves, none that is but a point (see `neighbors`); one shorter
-   * than doubles can tell has the same ends. An edge of which the window cuts out a part is several.
-   * O(n).
+   * than doubles can tell begins and ends in one place. An edge of which the window cuts out a part
+   * is several. O(n).
    */
   edgeCurves(): EdgeCurves {
     const { curves, sites } = Voronoi.#living(this).edgeCurves(...this.#window);
@@ -323,7 +323,7 @@ export class Voronoi implements Disposable {
    * neighbours each has the other, and `edgeCurves` the edge. O(d log d).
    */
   neighbors(id: number): Uint32Array {
-    return Voronoi.#nativeFor(this, id).neighbors(...this.#window, id);
+    return Voronoi.#nativeFor(this, id).cellNeighbors(...this.#window, id);
   }
 
   // --- Empty circles, and room for labels --------------------------------------------------------
