@@ -16,8 +16,8 @@ class FunctionRef<Result(Arguments...)> {
  public:
   template <class Function>
     requires(!std::is_same_v<std::remove_cvref_t<Function>, FunctionRef>)
-  FunctionRef(
-      const Function& function)  // NOLINT(google-explicit-constructor): as lambdas are given
+  // NOLINTNEXTLINE(google-explicit-constructor): as lambdas are given
+  FunctionRef(const Function& function)
       : object_(std::addressof(function)), call_([](const void* object, Arguments... arguments) {
           return (*static_cast<const Function*>(object))(std::forward<Arguments>(arguments)...);
         }) {}

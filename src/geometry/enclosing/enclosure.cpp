@@ -43,8 +43,8 @@ VoronoiCircle aroundTwo(const Site& a, const Site& b) {
 
 }  // namespace
 
-Enclosure::Enclosure(const Site& a, const Site& b) : size_(2) {
-  sites_ = precedes(a, b) ? std::array<Site, 3>{b, a} : std::array<Site, 3>{a, b};
+Enclosure::Enclosure(const Site& a, const Site& b)
+    : sites_(precedes(a, b) ? std::array<Site, 3>{b, a} : std::array<Site, 3>{a, b}), size_(2) {
   circle_ = aroundTwo(sites_[0], sites_[1]);
 }
 
@@ -55,7 +55,7 @@ Enclosure::Enclosure(const Site& a, const Site& b, const Site& c) : sites_{a, b,
   if (orient2d({a.x, a.y}, {b.x, b.y}, {c.x, c.y}) == Sign::kNegative)
     std::swap(sites_[1], sites_[2]);
   for (std::size_t k = 0; k < 3; ++k) opposite_[k] = opposite(sites_[k]);
-  circle_ = voronoiCircle(&opposite_[0], &opposite_[1], &opposite_[2]);
+  circle_ = voronoiCircle(opposite_.data(), &opposite_[1], &opposite_[2]);
 }
 
 Sign Enclosure::holds(const Site& q) const {
