@@ -49,8 +49,8 @@ struct Cell {
   }
 };
 
-/// Encloses a counter-clockwise boundary. Roundings: those of the computation alone. `origin`
-/// should be near the boundary.
+/// Computes the area inside a counter-clockwise boundary. Roundings: those of the computation
+/// alone. `origin` should be near the boundary.
 [[nodiscard]] Area areaOf(std::span<const BoundaryPiece> boundary, Point origin);
 
 }  // namespace apollonius::internal

@@ -30,7 +30,8 @@ Area areaOf(std::span<const Point> ring) {
     sum.add(cross(a, b) / 2);
     roundings += 4 * (absolute(a.x * b.y) + absolute(a.y * b.x));
   }
-  // A point that moves takes half of its way times what is between the points beside it.
+  // A point that moves changes the area by half of its way times the distance between the points
+  // beside it, at most.
   for (std::size_t k = 0, before = ring.size() - 1; k < ring.size(); before = k++) {
     const Point way = ring[k + 1 < ring.size() ? k + 1 : 0] - ring[before];
     roundings += (absolute(ring[k].x * way.y) + absolute(ring[k].y * way.x)) / 2;
