@@ -198,7 +198,7 @@ withRedis("runs on one Redis, also of the same data, take no jobs from each othe
 });
 
 /** Removes what is in a folder. False if it does not stay empty: something was written to it. */
-function isEmptied(folder) {
+function tryToEmpty(folder) {
   try {
     for (const each of readdirSync(folder))
       rmSync(path.join(folder, each), { recursive: true, force: true });
@@ -223,7 +223,7 @@ withRedis("a worker whose folder is emptied goes on with the next plan in it", a
     await until(async () => (await partsIn(work)).length > 5);
     submit.child.kill("SIGKILL"); // in the middle, with jobs in the queue and in hand
     await submit.ended;
-    await until(() => isEmptied(work)); // the worker writes to it meanwhile
+    await until(() => tryToEmpty(work)); // the worker writes to it meanwhile
   }
   const args = ["--folder", work, "--snapshot", snapshot, "--points", file, "--per-job", "900"];
   await finish("submit.mjs", args, shared);

@@ -26,6 +26,9 @@ const kPoints = 400_000;
 const kJobs = 400;
 const kLongest = 300; // seconds of a run, after which it counts as waiting for ever
 const kPatience = 8; // seconds without an answer: a loaded machine keeps Redis waiting for some
+const kSilence = new RegExp(
+  `no answer for ${kPatience} s \\(.*\\)\nStart this again when Redis can run`,
+);
 
 const folder = emptyFolder("kills");
 const inFolder = (name) => path.join(folder, name);
@@ -165,7 +168,7 @@ withRedis.each([
   ["a worker", isWorker, "SIGKILL", /A worker ended with SIGKILL/],
   ["submit", isSubmit, "SIGKILL", /^$/],
   ["submit", isSubmit, "SIGINT", /^$/],
-  ["a Redis that hangs", isRedis, "SIGSTOP", /no answer for 8 s \(.*\)\nStart this again/],
+  ["a Redis that hangs", isRedis, "SIGSTOP", kSilence],
 ])(
   "one machine, %s ends (%#): all that the run has started ends, and it goes on when started again",
   async (_, isVictim, signal, words) => {
@@ -228,9 +231,7 @@ withRedis(
     expect(await outcome(submit)).toBe(1);
     const { host } = new URL(redis.url);
     expect(submit.output()).toContain(`Redis at ${host} is away (`);
-    expect(submit.output()).toMatch(
-      /no answer for 8 s \(.*\)\nStart this again when Redis can run/,
-    );
+    expect(submit.output()).toMatch(kSilence);
     worker.child.kill("SIGCONT");
     await redis.start();
     await finish("submit.mjs", submission, remote);

@@ -133,23 +133,26 @@ TEST(EdgesWithoutLength, CellsAndEdgesAgreeWhereTheWindowTouchesAnEdge) {
       {{{0.4, 0, 0.1}, {0.8, 0, 0.1}}, {0.5, -0.8, 0.6000000000000001, -0.3}},
       {{{0.4, 0, 0.1}, {0.8, 0, 0.1}, {0.6, 0.5, 0}}, {0.5, -0.8, 0.6000000000000001, -0.3}},
   };
-  // Circles of small integers, and windows that end where their edges are farthest to a side.
+  // Windows that end where an edge is farthest to a side.
   Random random(3303);
   for (int run = 0; run < runs(sized(200, 5000)); ++run) {
     Circles circles;
+    const double far = run % 2 == 0 ? 0 : 0x1p20, unit = run % 3 == 0 ? 1 : 1.0 / 3;
+    const auto at = [&](double x) { return far + unit * x; };
     for (int k = 0; k < 3; ++k)
-      circles.push_back({random.between(-10, 10), random.between(-10, 10), random.between(0, 4)});
+      circles.push_back(
+          {at(random.between(-10, 10)), at(random.between(-10, 10)), unit * random.between(0, 4)});
     Diagram diagram;
     insertInto(diagram, circles);
     CurveArrays edges;
-    ASSERT_EQ(Voronoi(diagram, {-40, -40, 40, 40}).edgeCurves(edges), Error::kNone);
-    double xmax = -40;
+    ASSERT_EQ(Voronoi(diagram, {at(-40), at(-40), at(40), at(40)}).edgeCurves(edges), Error::kNone);
+    double xmax = at(-40);
     for (std::size_t k = 0; k + 7 <= edges.curves.size(); k += 7) {
       const double* const c = &edges.curves[k];
       const double middle = (c[0] + 2 * c[4] * c[2] + c[5]) / (2 + 2 * c[4]);
       xmax = std::max({xmax, std::min({c[0], middle, c[5]})});
     }
-    if (xmax > -39) scenes.push_back({circles, {-40, -40, xmax, 40}});
+    if (xmax > at(-39)) scenes.push_back({circles, {at(-40), at(-40), xmax, at(40)}});
   }
   for (const auto& [circles, box] : scenes) {
     Diagram diagram;

@@ -88,9 +88,9 @@ TEST(SphericalPolygons, BordersAlongMeridiansHaveFewPointsAtAnyTolerance) {
   }
 }
 
-/// What surrounds the sphere is on the map as long as that is wide, or longer. Pieces are halved,
-/// so that there are twice as many as the tolerance asks for at most, and a hundredth of the
-/// tolerance takes ten times as many.
+/// Borders around the sphere are as long on the map as that is wide, or longer. Halving makes at
+/// most twice as many pieces as the tolerance asks for, and a hundredth of the tolerance takes ten
+/// times as many.
 TEST(SphericalPolygons, NumbersOfPointsGoWithTheRootOfTheTolerance) {
   for (double lat = -85; lat <= 85; lat += sized(17, 1)) {
     for (const double r : {0.0, 0.3}) {

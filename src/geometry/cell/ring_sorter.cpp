@@ -36,8 +36,9 @@ void RingSorter::closeRing(bool isGiven) {
     for (const Point p : {piece.curve.p1, piece.curve.p2}) box.include(p);
   }
   const Area area = areaOf(pieces, pieces.front().curve.p0);
-  const double thinnest = std::max(area.rounding, isGiven ? 0 : kThinnest * size * reach);
-  if (absolute(area.value) > thinnest || parts_ == Parts::kThinToo) {
+  // A ring of the window has an area (polygon.h).
+  const double thinnest = std::max(area.rounding, kThinnest * size * reach);
+  if (isGiven || absolute(area.value) > thinnest || parts_ == Parts::kThinToo) {
     found_.starts.push_back(static_cast<std::uint32_t>(found_.pieces.size()));
     if (area.value > 0) nesting_.add(static_cast<std::uint32_t>(areas_.size()), area.value, box);
     areas_.push_back(area.value);

@@ -9,12 +9,14 @@ namespace apollonius::internal {
 
 namespace {
 
-/// Below this share of a piece's size the tolerance has no further effect: at most 2^18 points.
+/// A chord that is off by less than this share of the piece's size is fine enough for any
+/// tolerance: at most 2^18 points.
 constexpr double kFinestShare = powerOfTwo(-36);
-/// Nor below this share of its numbers and of its distance from the site: that can be rounding.
+/// A chord that is off by less than this share of its coordinates, and of its distance from the
+/// site, is off by rounding: halving it does not bring it closer to the cells' shapes.
 constexpr double kRounding = powerOfTwo(-46);
-/// And the border none, where both cells have the chord and it runs along an edge: at most 2^10
-/// points.
+/// A chord of two cells that is off by less than this share of the piece's size is not made finer
+/// for the border: at most 2^10 points where the border runs along the edge.
 constexpr double kFinestBetweenCells = powerOfTwo(-20);
 /// Points of an edge can be off by this share of their coordinates, of their distances from the
 /// sites and of the size of the edge (docs/PROOFS.md, "Polygons").

@@ -257,6 +257,7 @@ void Arrangement::link(NormalizedPolygon& polygon) {
   FlatArray<char> isLinked(segments_.size(), 0);
   polygon.starts.assign(1, 0);
   for (std::uint32_t first = 0; first < segments_.size(); ++first) {
+    if (isLinked[first] != 0) continue;
     std::uint32_t at = first;
     while (at != kNoneBelow && isLinked[at] == 0) {
       isLinked[at] = 1;

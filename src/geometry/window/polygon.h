@@ -10,7 +10,7 @@
 //   2. Of segments that are the same, any two cancel: on both sides of them is the same.
 //   3. Which side of a segment is inside follows from the nearest segment below its left end.
 //   4. Segments are linked, each with the next one clockwise around their common point, so that
-//      what only touches itself there falls into several rings. Rings without an area up to
+//      rings that only touch themselves there fall into several. Rings without an area up to
 //      rounding are left out: their points are on one line but for the last digits.
 //
 // All decisions are exact signs for the doubles that there are then.
