@@ -154,10 +154,13 @@ void AntimeridianCutter::cut(std::span<const MapPoint> ring, FunctionRef<double(
   points_.clear();
   arcs_.clear();
   ring_.clear();
-  const auto addRectangle = [&] { addBorder(-1, kWhole); };
-  if (ring.empty()) {
-    addRectangle();
+  const auto emitRectangle = [&] {
+    ring_.clear();
+    addBorder(-1, kWhole);
     (void)emitRing(output);
+  };
+  if (ring.empty()) {
+    emitRectangle();
     output.endPart();
     return;
   }
@@ -166,6 +169,13 @@ void AntimeridianCutter::cut(std::span<const MapPoint> ring, FunctionRef<double(
     double latitude = 0;
     if (!isOnBorder(a.point) && (isOnBorder(b.point) || !crossesBorder(a, b, latitude))) continue;
     followChords(ring, k);
+    if (arcs_.empty()) {
+      // The ring follows the border, as a needle along it does: the cell is all or nothing.
+      if (surplusOf(0, areaOfCell()) == 0) return;
+      emitRectangle();
+      output.endPart();
+      return;
+    }
     linkArcs(areaOfCell());
     emitArcs(output);
     return;
@@ -175,9 +185,7 @@ void AntimeridianCutter::cut(std::span<const MapPoint> ring, FunctionRef<double(
   const bool isHole = !isOuter && surplusOf(areaOfRing(ring_), areaOfCell()) < 0;
   if (isHole) {
     const FlatArray<LonLat> hole = ring_;
-    ring_.clear();
-    addRectangle();
-    (void)emitRing(output);
+    emitRectangle();
     ring_ = hole;
   }
   if (emitRing(output) || isHole) output.endPart();

@@ -57,6 +57,33 @@ void CellPolygons::followWithin(VertexId node, double reach) {
   }
 }
 
+std::span<const MapPoint> CellPolygons::withoutSpurs() {
+  const auto areSame = [&](std::size_t k, std::size_t m) {
+    const MapPoint &a = points_[k], &b = points_[m];
+    return !(lengthOf(a.point - b.point) > 0) || (a.at.lon == b.at.lon && a.at.lat == b.at.lat);
+  };
+  std::size_t begin = 0, end = 0;
+  for (const MapPoint& p : points_) {
+    points_[end++] = p;
+    if (end > 1 && areSame(end - 1, end - 2)) {
+      --end;
+    } else if (end > 2 && areSame(end - 1, end - 3)) {
+      end -= 2;
+    }
+  }
+  // Where the ring is closed, too.
+  for (;;) {
+    const std::size_t count = end - begin;
+    if (count > 1 && (areSame(begin, end - 1) || (count > 2 && areSame(begin, end - 2)))) {
+      --end;
+    } else if (count > 2 && areSame(begin + 1, end - 1)) {
+      ++begin;
+    } else {
+      return {points_.data() + begin, count};
+    }
+  }
+}
+
 void CellPolygons::append(VertexId node) {
   const double reach = reach_.of(diagram_, node);
   if (!(reach > 0)) return;
@@ -67,28 +94,19 @@ void CellPolygons::append(VertexId node) {
   } else {
     followWithin(node, reach);
   }
-  // Edges without length repeat points.
-  std::size_t kept = 0;
-  const auto isApart = [](const MapPoint& p, const MapPoint& other) {
-    return lengthOf(p.point - other.point) > 0;
-  };
-  for (const MapPoint& p : points_) {
-    if (kept == 0 || isApart(p, points_[kept - 1])) points_[kept++] = p;
-  }
-  while (kept > 1 && !isApart(points_[kept - 1], points_[0])) --kept;
-  points_.resize(kept);
-  if (reach < std::numbers::pi && kept < 3) return;  // a reach as small as rounding
+  const std::span<const MapPoint> ring = withoutSpurs();
+  if (reach < std::numbers::pi && ring.size() < 3) return;  // a reach as small as rounding
   if (isCut_) {
     const auto area = [&] {
       listSectors(diagram_, node, chains_.vertices(), sectors_);
       return areaOfCell(diagram_.cap(node), sectors_, reach);
     };
-    cutter_.cut({points_.data(), points_.size()}, area, rings_);
+    cutter_.cut(ring, area, rings_);
     return;
   }
-  if (points_.empty()) return;
-  for (std::size_t k = 0; k <= kept; ++k) {
-    const LonLat& p = points_[k == kept ? 0 : k].at;
+  if (ring.empty()) return;
+  for (std::size_t k = 0; k <= ring.size(); ++k) {
+    const LonLat& p = ring[k == ring.size() ? 0 : k].at;
     rings_.coordinates.push_back(p.lon);
     rings_.coordinates.push_back(p.lat);
   }

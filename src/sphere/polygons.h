@@ -1,6 +1,8 @@
 // Cells of the sphere as polygons of longitudes and latitudes.
 #pragma once
 
+#include <span>
+
 #include "sphere/antimeridian.h"
 #include "sphere/cell.h"
 #include "sphere/chain.h"
@@ -26,6 +28,9 @@ class CellPolygons {
  private:
   /// Puts the boundary into points_: parts of edges, and of the circle at the angle `reach`.
   void followWithin(VertexId node, double reach);
+  /// The boundary in points_ without its spurs: a ring does not go to a point and back the same
+  /// way, as around a cell without width.
+  [[nodiscard]] std::span<const MapPoint> withoutSpurs();
 
   const ProjectedDiagram& diagram_;
   AngularReach reach_;

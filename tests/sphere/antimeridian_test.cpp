@@ -55,6 +55,13 @@ TEST(Antimeridian, ARingThatDoesNotComeToItHasTheCellInsideOrOutside) {
   EXPECT_NEAR(areaOfCut({north, west}, kSphere - 1e-6), kMap, 1e-9);
 }
 
+TEST(Antimeridian, ARingAlongItHasTheWholeMapAtItsLeftOrNothing) {
+  constexpr double kSphere = 4 * std::numbers::pi, kMap = 360.0 * 180;
+  EXPECT_EQ(areaOfCut({{180, 60}, {0, 90}}, 1e-8), 0);
+  EXPECT_NEAR(areaOfCut({{180, 60}, {0, 90}}, kSphere - 1e-8), kMap, 1e-9);
+  EXPECT_NEAR(areaOfCut({{180, 60}, {180, 20}, {180, 40}}, kSphere - 1e-8), kMap, 1e-9);
+}
+
 TEST(Antimeridian, ARingThroughAPoleGoesThereOnTwoLongitudes) {
   EXPECT_NEAR(areaOfCut({{0, 90}, {0, 60}, {40, 60}}, 0.0935), 40 * 30, 1e-9);
   EXPECT_NEAR(areaOfCut({{0, -90}, {40, -60}, {0, -60}}, 0.0935), 40 * 30, 1e-9);

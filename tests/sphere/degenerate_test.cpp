@@ -10,6 +10,7 @@
 
 #include "base/byte_stream.h"
 #include "sphere/sphere_sets.h"
+#include "support/effort.h"
 #include "support/saved.h"
 
 namespace apollonius::test {
@@ -140,6 +141,37 @@ TEST(SphericalDegenerate, ACellWithoutWidthHasNoRingOfTwoPoints) {
   EXPECT_NEAR(expectRings(polygons), 360 * 180, 1e-2);
   for (std::size_t ring = 0; ring + 1 < polygons.starts.size(); ++ring)
     EXPECT_GE(polygons.starts[ring + 1] - polygons.starts[ring], 4u);
+}
+
+/// Found by sphere_fuzz: of two sites, one on the rim of the other. Its cell is a needle, from the
+/// site to the antipode of the cap; on the map it has no width where it ends at a pole or follows
+/// the antimeridian. There was nothing of the other cell either.
+TEST(SphericalDegenerate, CellsOfSitesOnTheRimsOfCapsCoverTheMap) {
+  const auto expectCover = [](const SphericalSites& sites) {
+    CoverageArrays polygons;
+    ASSERT_EQ(diagramOf(sites).cellPolygons(1e-3, true, {}, polygons), Error::kNone);
+    EXPECT_NEAR(expectRings(polygons), 360 * 180, 1e-2);
+    for (std::size_t ring = 0; ring + 1 < polygons.starts.size(); ++ring)
+      EXPECT_GE(polygons.starts[ring + 1] - polygons.starts[ring], 4u);
+  };
+  const auto onMeridian = [](double lon, double lat) {
+    const double beyond = std::abs(lat) - 90;
+    if (beyond <= 0) return SphericalCircle{lon, lat, 0};
+    return SphericalCircle{lon > 0 ? lon - 180 : lon + 180, std::copysign(90 - beyond, lat), 0};
+  };
+  for (double lat = -90; lat <= 90; lat += 15) {
+    for (double lon = -180; lon < 180; lon += 15) {
+      for (double degrees = 15; degrees < 180; degrees += sized(30, 15)) {
+        const SphericalCircle cap{lon, lat, kPi * degrees / 180};
+        const SphericalCircle north = onMeridian(lon, lat + degrees);
+        SCOPED_TRACE(std::to_string(lon) + ' ' + std::to_string(lat) + ", " +
+                     std::to_string(degrees) + " degrees");
+        expectCover({cap, north});
+        expectCover({cap, north, onMeridian(lon, lat - degrees)});
+        expectCover({cap, north, {lon, -lat, 0.1}});
+      }
+    }
+  }
 }
 
 TEST(SphericalDegenerate, RingsOfTwoPointsAreLeftOutAtThePoleToo) {
