@@ -219,6 +219,23 @@ TEST(Coverage, OfEdgesThatLeaveAndEnterByOneSide) {
   }
 }
 
+/// Found by geometry_fuzz: the edge of two sites that are a few doubles apart goes around them, and
+/// at its ends, seen from them, rounding hides that it turns. One chord stood for it, on the wrong
+/// side of the sites.
+TEST(Coverage, OfEdgesThatGoAroundTwins) {
+  const Circles circles = {
+      {0x1.1111111111111p-1, 0x1.1111111111111p-1, 0x1.1111111111111p-1},
+      {0x1.111111111110dp-1, 0x1.544444444444p+1, 0x1.544444444444p+1},
+      {0x1.1111111111109p-1, 0x1.5444444444444p+1, 0x1.5444444444444p+1},
+      {-0x1.7fffffffffffcp+7, -0x1.b7ffffffffffcp+7, 0x1.1f00000000004p+8},
+  };
+  for (const double size : {1e3, 1e6, 1e10}) {
+    for (const double tolerance : {0.0, 1.0, 10.0, 1e3, 1e6})
+      EXPECT_EQ(faultsIn(circles, Bounds{-size, -size, 138.75, 138.75}, tolerance), "")
+          << size << ' ' << tolerance;
+  }
+}
+
 TEST(Coverage, OfManySitesOnACircle) {
   constexpr double kTurn = 6.28318530717958648;
   for (const bool isTangent : {false, true}) {

@@ -22,6 +22,12 @@ constexpr double kFinestBetweenCells = powerOfTwo(-20);
 /// sites and of the size of the edge (docs/PROOFS.md, "Polygons").
 constexpr double kMostOff = powerOfTwo(-38);
 
+/// Does the direction of a curve change by more than about 27 degrees?
+bool bends(const Conic& curve) {
+  const Point first = curve.p1 - curve.p0, last = curve.p2 - curve.p1;
+  return dot(first, last) < 2 * absolute(cross(first, last));
+}
+
 }  // namespace
 
 std::span<const Point> ChordFinder::find(const EdgePiece& piece) {
@@ -66,8 +72,10 @@ bool ChordFinder::isHalved(const Conic& curve, const Conic& first, const Conic& 
   const double sagitta = curve.sagitta();
   if (sagitta > allowed_) return true;
   // Of the halves of a curve that turns, one chord does at least. If none does, rounding hides it,
-  // and halving on will not help.
-  if (!turns(curve.p0, curve.p2)) return turns(first.p0, first.p2) || turns(second.p0, second.p2);
+  // and halving on will not help, unless the curve goes around close sites between its ends.
+  if (!turns(curve.p0, curve.p2))
+    return (sagitta > finest_ && bends(curve)) || turns(first.p0, first.p2) ||
+           turns(second.p0, second.p2);
   return !spansLittle(curve.p0, curve.p2) ||
          (sagitta > finest_ &&
           (isLarge(sagitta, curve, left_, fromSegment, toSegment) ||
