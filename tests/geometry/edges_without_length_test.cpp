@@ -154,12 +154,12 @@ TEST(EdgesWithoutLength, CellsAndEdgesAgreeWhereTheWindowTouchesAnEdge) {
     }
     if (xmax > at(-39)) scenes.push_back({circles, {at(-40), at(-40), xmax, at(40)}});
   }
-  for (const auto& [circles, box] : scenes) {
+  for (const Scene& scene : scenes) {
     Diagram diagram;
-    insertInto(diagram, circles);
-    inEachWindow(diagram, box, [&](const char* name, const Voronoi& view) {
-      SCOPED_TRACE(testing::Message() << name << " " << box.xmax);
-      const Pairs pairs = pairsOfCells(view, circles.size());
+    insertInto(diagram, scene.circles);
+    inEachWindow(diagram, scene.box, [&](const char* name, const Voronoi& view) {
+      SCOPED_TRACE(testing::Message() << name << " " << scene.box.xmax);
+      const Pairs pairs = pairsOfCells(view, scene.circles.size());
       EXPECT_EQ(pairs, pairsOfEdges(view));
       for (const auto& [a, b] : pairs) EXPECT_TRUE(pairs.contains({b, a}));
     });
