@@ -79,7 +79,7 @@ TEST(SphericalPolygons, BordersAlongMeridiansHaveFewPointsAtAnyTolerance) {
         expectCover({{first, latitude, r}, {second, latitude, r}}, tolerance, 164);
     }
   }
-  const double most = 164;
+  constexpr std::size_t most = 164;
   for (const double meridian : {0.0, 180.0, 17.0}) {
     const double a = wrapped(meridian - 20), b = wrapped(meridian + 20);
     expectCover({{a, -20, 0}, {b, -20, 0}, {b, 20, 0}, {a, 20, 0}}, 1e-3, most);
