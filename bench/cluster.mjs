@@ -86,12 +86,12 @@ async function measure(program, args, workers, items) {
   return { rate: (1000 * items * share) / (times.at(-1) - times[workers - 1]), reports };
 }
 
-/** `findMany` alone in this process, in pieces as large as jobs: points a second. */
+/** `nearestMany` alone in this process, in pieces as large as jobs: points a second. */
 async function alone(diagram, points, perJob) {
-  diagram.findMany(points.subarray(0, 2 * perJob)); // warm-up
+  diagram.nearestMany(points.subarray(0, 2 * perJob)); // warm-up
   const start = performance.now();
   for (let k = 0; k < points.length; k += 2 * perJob)
-    diagram.findMany(points.subarray(k, k + 2 * perJob), new Float64Array(perJob));
+    diagram.nearestMany(points.subarray(k, k + 2 * perJob));
   return (500 * points.length) / (performance.now() - start);
 }
 

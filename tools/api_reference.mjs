@@ -83,6 +83,28 @@ function signature(declaration) {
   return text;
 }
 
+/**
+ * The signature of a member whose parameters are a tuple of the surface's names, with those names:
+ * as editors show it.
+ */
+function spelledOut(member, declaration, checker) {
+  const ofMembers = checker.getTypeAtLocation(declaration).getProperty(memberName(member));
+  const found = checker
+    .getTypeOfSymbol(ofMembers)
+    .getCallSignatures()
+    .find((one) => one.declaration === member);
+  const flags =
+    ts.TypeFormatFlags.NoTruncation | ts.TypeFormatFlags.UseAliasDefinedOutsideCurrentScope;
+  const text = checker.signatureToString(found, member, flags);
+  return (
+    memberName(member) +
+    text
+      .replace(/(\?: [^,)]*?) \| undefined(?=[,)])/g, "$1")
+      .replace(/<ArrayBuffer(Like)?>/g, "")
+      .replace(new RegExp(`: ${declaration.name.text}$`), ": this")
+  );
+}
+
 function isPublic(member) {
   if (ts.getCombinedModifierFlags(member) & ts.ModifierFlags.Abstract) return false; // another's
   if (ts.getJSDocTags(member).some((tag) => tag.tagName.text === "internal")) return false;
@@ -140,6 +162,7 @@ function inheritedBy(declaration, checker) {
     .filter((clause) => clause.token === ts.SyntaxKind.ExtendsKeyword)
     .flatMap((clause) => clause.types)
     .map((type) => checker.getTypeAtLocation(type))
+    .flatMap((type) => (type.isIntersection() ? type.types : [type]))
     .flatMap((type) => {
       const [base] = type.symbol.declarations;
       // Otherwise Pick, say, of one of ours.
@@ -187,7 +210,9 @@ function describe({ name, declaration, additions }, checker) {
     const described = {
       name: memberName(member),
       text: comment(member),
-      code: signature(member),
+      code: /\.\.\.args: |: S\[/.test(signature(member))
+        ? spelledOut(member, declaration, checker)
+        : signature(member),
       group: groups.get(member),
       isStatic: (ts.getCombinedModifierFlags(member) & ts.ModifierFlags.Static) !== 0,
     };

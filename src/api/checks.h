@@ -25,9 +25,15 @@ inline Error checkNumbers(std::span<const double> values) {
   return Error::kNone;
 }
 
+inline Error checkNumbers(double x, double y) {
+  const Error error = checkNumber(x);
+  return error != Error::kNone ? error : checkNumber(y);
+}
+
 /// Of a distance beyond which nothing is looked for; infinite if there is none.
-inline Error checkLimit(double farthest) {
-  return farthest == std::numeric_limits<double>::infinity() ? Error::kNone : checkNumber(farthest);
+inline Error checkLimit(double maxDistance) {
+  return maxDistance == std::numeric_limits<double>::infinity() ? Error::kNone
+                                                                : checkNumber(maxDistance);
 }
 
 /// Memory that runs out throws std::bad_alloc, or from a vector std::length_error. std::bad_alloc

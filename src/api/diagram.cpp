@@ -179,9 +179,7 @@ Error Diagram::coverOf(SiteId id, SiteId& cover) const {
 // --- Queries
 
 Error Diagram::find(double x, double y, SiteId& id) const {
-  for (const double value : {x, y}) {
-    if (const Error error = checkNumber(value); error != Error::kNone) return error;
-  }
+  if (const Error error = checkNumbers(x, y); error != Error::kNone) return error;
   return guarded(
       *core_, [&] { id = idOrNone(*core_, visibleSize() == 0 ? kNoSlot : core_->nearest(x, y)); });
 }
@@ -192,44 +190,54 @@ Error Diagram::find(double x, double y, SiteId& id, double& distance) const {
   return Error::kNone;
 }
 
-Error Diagram::findMany(std::span<const double> xy, std::span<SiteId> ids,
+Error Diagram::find(double x, double y, double maxDistance, SiteId& id) const {
+  if (const Error error = checkNumbers(x, y); error != Error::kNone) return error;
+  if (const Error error = checkLimit(maxDistance); error != Error::kNone) return error;
+  return guarded(*core_, [&] {
+    const Slot nearest = visibleSize() == 0 ? kNoSlot : core_->nearest(x, y);
+    id = idOrNone(*core_, orNone(*core_, nearest, x, y, maxDistance));
+  });
+}
+
+Error Diagram::find(double x, double y, double maxDistance, SiteId& id, double& distance) const {
+  if (const Error error = find(x, y, maxDistance, id); error != Error::kNone) return error;
+  distance = distanceTo(*core_, core_->ids().slotOf(id), x, y);
+  return Error::kNone;
+}
+
+Error Diagram::findMany(std::span<const double> xy, double maxDistance, std::span<SiteId> ids,
                         std::span<double> distances) const {
   if (xy.size() != 2 * ids.size() || (!distances.empty() && distances.size() != ids.size()))
     return Error::kBadLength;
   if (const Error error = checkNumbers(xy); error != Error::kNone) return error;
-  return guarded(*core_, [&] { listNearest(*core_, xy, ids, distances); });
+  if (const Error error = checkLimit(maxDistance); error != Error::kNone) return error;
+  return guarded(*core_, [&] { listNearest(*core_, xy, maxDistance, ids, distances); });
 }
 
-Error Diagram::kNearest(double x, double y, std::size_t k, double farthest,
+Error Diagram::kNearest(double x, double y, std::size_t k, double maxDistance,
                         std::vector<SiteId>& sites) const {
-  for (const double value : {x, y}) {
-    if (const Error error = checkNumber(value); error != Error::kNone) return error;
-  }
-  if (const Error error = checkLimit(farthest); error != Error::kNone) return error;
-  return guarded(*core_, [&] { listNearby(*core_, x, y, k, farthest, sites); });
+  if (const Error error = checkNumbers(x, y); error != Error::kNone) return error;
+  if (const Error error = checkLimit(maxDistance); error != Error::kNone) return error;
+  return guarded(*core_, [&] { listNearby(*core_, x, y, k, maxDistance, sites); });
 }
 
-Error Diagram::kNearestMany(std::span<const double> xy, std::size_t k, double farthest,
+Error Diagram::kNearestMany(std::span<const double> xy, std::size_t k, double maxDistance,
                             bool withDistances, NearbyLists& lists) const {
   if (xy.size() % 2 != 0) return Error::kBadLength;
   if (const Error error = checkNumbers(xy); error != Error::kNone) return error;
-  if (const Error error = checkLimit(farthest); error != Error::kNone) return error;
-  return guarded(*core_, [&] { listNearbyMany(*core_, xy, k, farthest, withDistances, lists); });
+  if (const Error error = checkLimit(maxDistance); error != Error::kNone) return error;
+  return guarded(*core_, [&] { listNearbyMany(*core_, xy, k, maxDistance, withDistances, lists); });
 }
 
-Error Diagram::pick(double x, double y, double farthest, Top top, SiteId& id) const {
-  for (const double value : {x, y}) {
-    if (const Error error = checkNumber(value); error != Error::kNone) return error;
-  }
-  if (const Error error = checkLimit(farthest); error != Error::kNone) return error;
-  if (farthest < 0) return Error::kOutOfRange;
-  return guarded(*core_, [&] { id = internal::pick(*core_, x, y, farthest, top); });
+Error Diagram::pick(double x, double y, double maxDistance, Top top, SiteId& id) const {
+  if (const Error error = checkNumbers(x, y); error != Error::kNone) return error;
+  if (const Error error = checkLimit(maxDistance); error != Error::kNone) return error;
+  if (maxDistance < 0) return Error::kOutOfRange;
+  return guarded(*core_, [&] { id = internal::pick(*core_, x, y, maxDistance, top); });
 }
 
 Error Diagram::farthest(double x, double y, SiteId& id, double& distance) const {
-  for (const double value : {x, y}) {
-    if (const Error error = checkNumber(value); error != Error::kNone) return error;
-  }
+  if (const Error error = checkNumbers(x, y); error != Error::kNone) return error;
   return guarded(*core_, [&] {
     const Slot slot = farthestSite(*core_, x, y);
     id = idOrNone(*core_, slot);

@@ -13,13 +13,11 @@ NearestFirst::NearestFirst(const Diagram& diagram) noexcept : diagram_(&diagram)
 NearestFirst::~NearestFirst() = default;
 NearestFirst::NearestFirst(NearestFirst&&) noexcept = default;
 
-Error NearestFirst::start(double x, double y, double farthest) {
-  for (const double value : {x, y}) {
-    if (const Error error = checkNumber(value); error != Error::kNone) return error;
-  }
-  if (const Error error = checkLimit(farthest); error != Error::kNone) return error;
+Error NearestFirst::start(double x, double y, double maxDistance) {
+  if (const Error error = checkNumbers(x, y); error != Error::kNone) return error;
+  if (const Error error = checkLimit(maxDistance); error != Error::kNone) return error;
   const DiagramCore& core = *diagram_->core_;
-  return guarded(core, [&] { search_ = std::make_unique<NearbySearch>(core, x, y, farthest); });
+  return guarded(core, [&] { search_ = std::make_unique<NearbySearch>(core, x, y, maxDistance); });
 }
 
 Error NearestFirst::next(SiteId& id) {

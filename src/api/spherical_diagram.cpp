@@ -140,6 +140,23 @@ Error SphericalDiagram::find(double lon, double lat, SiteId& id, double& distanc
   return Error::kNone;
 }
 
+Error SphericalDiagram::find(double lon, double lat, double maxDistance, SiteId& id) const {
+  double distance = 0;
+  return find(lon, lat, maxDistance, id, distance);
+}
+
+Error SphericalDiagram::find(double lon, double lat, double maxDistance, SiteId& id,
+                             double& distance) const {
+  if (const Error error = checkPoint(lon, lat); error != Error::kNone) return error;
+  if (std::isnan(maxDistance)) return Error::kNotFinite;
+  if (const Error error = find(lon, lat, id, distance); error != Error::kNone) return error;
+  if (distance > maxDistance) {
+    id = kNoSite;
+    distance = std::numeric_limits<double>::infinity();
+  }
+  return Error::kNone;
+}
+
 Error SphericalDiagram::farthest(double lon, double lat, SiteId& id, double& distance) const {
   if (const Error error = checkPoint(lon, lat); error != Error::kNone) return error;
   return guarded(*core_, [&] {
@@ -153,29 +170,40 @@ Error SphericalDiagram::farthest(double lon, double lat, SiteId& id, double& dis
   });
 }
 
-Error SphericalDiagram::findMany(std::span<const double> lonLat, std::span<SiteId> ids,
-                                 std::span<double> distances) const {
+Error SphericalDiagram::findMany(std::span<const double> lonLat, double maxDistance,
+                                 std::span<SiteId> ids, std::span<double> distances) const {
   if (lonLat.size() != 2 * ids.size() || (!distances.empty() && distances.size() != ids.size()))
     return Error::kBadLength;
   if (const Error error = checkPoints(lonLat); error != Error::kNone) return error;
+  if (std::isnan(maxDistance)) return Error::kNotFinite;
   return guarded(*core_, [&] {
+    constexpr double kNone = std::numeric_limits<double>::infinity();
     listNearest(core_->projected(), lonLat, ids);
-    for (std::size_t k = 0; k < distances.size(); ++k)
-      distances[k] =
-          ids[k] == kNoSite
-              ? std::numeric_limits<double>::infinity()
-              : distanceTo(core_->sites(), ids[k], directionOf({lonLat[2 * k], lonLat[2 * k + 1]}));
+    if (distances.empty() && maxDistance == kNone) return;
+    for (std::size_t k = 0; k < ids.size(); ++k) {
+      double distance = kNone;
+      if (ids[k] != kNoSite) {
+        distance =
+            distanceTo(core_->sites(), ids[k], directionOf({lonLat[2 * k], lonLat[2 * k + 1]}));
+        if (distance > maxDistance) {
+          ids[k] = kNoSite;
+          distance = kNone;
+        }
+      }
+      if (!distances.empty()) distances[k] = distance;
+    }
   });
 }
 
-Error SphericalDiagram::kNearest(double lon, double lat, std::size_t k, double farthest,
+Error SphericalDiagram::kNearest(double lon, double lat, std::size_t k, double maxDistance,
                                  std::vector<SiteId>& sites) const {
   if (const Error error = checkPoint(lon, lat); error != Error::kNone) return error;
-  if (std::isnan(farthest)) return Error::kNotFinite;
+  if (std::isnan(maxDistance)) return Error::kNotFinite;
   return guarded(*core_, [&] {
     sites.clear();
     if (k == 0) return;
-    SphericalSearch search(core_->projected(), core_->sites(), directionOf({lon, lat}), farthest);
+    SphericalSearch search(core_->projected(), core_->sites(), directionOf({lon, lat}),
+                           maxDistance);
     for (SiteId id = search.next(); id != kNoSite; id = search.next()) {
       sites.push_back(id);
       if (sites.size() == k) return;
@@ -183,22 +211,26 @@ Error SphericalDiagram::kNearest(double lon, double lat, std::size_t k, double f
   });
 }
 
-Error SphericalDiagram::kNearestMany(std::span<const double> lonLat, std::size_t k, double farthest,
-                                     bool withDistances, NearbyLists& lists) const {
+Error SphericalDiagram::kNearestMany(std::span<const double> lonLat, std::size_t k,
+                                     double maxDistance, bool withDistances,
+                                     NearbyLists& lists) const {
   if (lonLat.size() % 2 != 0) return Error::kBadLength;
   if (const Error error = checkPoints(lonLat); error != Error::kNone) return error;
-  if (std::isnan(farthest)) return Error::kNotFinite;
+  if (std::isnan(maxDistance)) return Error::kNotFinite;
   return guarded(*core_, [&] {
-    listNearbyMany(core_->projected(), core_->sites(), lonLat, k, farthest, withDistances, lists);
+    listNearbyMany(core_->projected(), core_->sites(), lonLat, k, maxDistance, withDistances,
+                   lists);
   });
 }
 
-Error SphericalDiagram::pick(double lon, double lat, double farthest, Top top, SiteId& id) const {
+Error SphericalDiagram::pick(double lon, double lat, double maxDistance, Top top,
+                             SiteId& id) const {
   if (const Error error = checkPoint(lon, lat); error != Error::kNone) return error;
-  if (std::isnan(farthest)) return Error::kNotFinite;
-  if (farthest < 0) return Error::kOutOfRange;
+  if (std::isnan(maxDistance)) return Error::kNotFinite;
+  if (maxDistance < 0) return Error::kOutOfRange;
   return guarded(*core_, [&] {
-    id = sphere::pick(core_->projected(), core_->sites(), directionOf({lon, lat}), farthest, top);
+    id =
+        sphere::pick(core_->projected(), core_->sites(), directionOf({lon, lat}), maxDistance, top);
   });
 }
 

@@ -11,13 +11,13 @@ SphericalNearestFirst::SphericalNearestFirst(const SphericalDiagram& diagram) no
 SphericalNearestFirst::~SphericalNearestFirst() = default;
 SphericalNearestFirst::SphericalNearestFirst(SphericalNearestFirst&&) noexcept = default;
 
-Error SphericalNearestFirst::start(double lon, double lat, double farthest) {
+Error SphericalNearestFirst::start(double lon, double lat, double maxDistance) {
   if (const Error error = checkPoint(lon, lat); error != Error::kNone) return error;
-  if (std::isnan(farthest)) return Error::kNotFinite;
+  if (std::isnan(maxDistance)) return Error::kNotFinite;
   const SphericalCore& core = *diagram_->core_;
   return guarded(core, [&] {
     search_ = std::make_unique<SphericalSearch>(core.projected(), core.sites(),
-                                                directionOf({lon, lat}), farthest);
+                                                directionOf({lon, lat}), maxDistance);
   });
 }
 

@@ -147,17 +147,28 @@ class APOLLONIUS_EXPORT Diagram {
   /// With the distance |p - c| - r, off by less than one unit in the last place.
   [[nodiscard]] Error find(double x, double y, SiteId& id, double& distance) const;
 
+  /// The same, or kNoSite and infinity if the nearest site is farther than `maxDistance` (negative:
+  /// that deep inside; infinity: no limit). Exact, that very distance included. Errors: also
+  /// kOutOfRange, kNotFinite of the limit.
+  [[nodiscard]] Error find(double x, double y, double maxDistance, SiteId& id) const;
+  [[nodiscard]] Error find(double x, double y, double maxDistance, SiteId& id,
+                           double& distance) const;
+
   /// find for xy.size()/2 points. `distances` may be empty, else it has one element a point.
   /// Errors: as find; kBadLength if the sizes do not fit.
+  [[nodiscard]] Error findMany(std::span<const double> xy, double maxDistance,
+                               std::span<SiteId> ids, std::span<double> distances) const;
   [[nodiscard]] Error findMany(std::span<const double> xy, std::span<SiteId> ids,
-                               std::span<double> distances) const;
+                               std::span<double> distances) const {
+    return findMany(xy, std::numeric_limits<double>::infinity(), ids, distances);
+  }
 
   /// The k nearest sites of a point, hidden ones too, nearest first, of those at a distance of at
-  /// most `farthest` (negative: that deep inside; infinity: all); ties as in find, identical
+  /// most `maxDistance` (negative: that deep inside; infinity: all); ties as in find, identical
   /// circles ascending by id. All sites if there are fewer. Exact, boundary included. Replaces the
   /// contents. Errors: as find. Cost: one location and O(m log m), m = the neighbours of the sites
   /// found.
-  [[nodiscard]] Error kNearest(double x, double y, std::size_t k, double farthest,
+  [[nodiscard]] Error kNearest(double x, double y, std::size_t k, double maxDistance,
                                std::vector<SiteId>& sites) const;
   [[nodiscard]] Error kNearest(double x, double y, std::size_t k,
                                std::vector<SiteId>& sites) const {
@@ -173,14 +184,14 @@ class APOLLONIUS_EXPORT Diagram {
 
   /// kNearest for xy.size()/2 points, with distances as find gives them, or without. Errors: also
   /// kBadLength. Cost: less than single calls, as points are visited along a curve.
-  [[nodiscard]] Error kNearestMany(std::span<const double> xy, std::size_t k, double farthest,
+  [[nodiscard]] Error kNearestMany(std::span<const double> xy, std::size_t k, double maxDistance,
                                    bool withDistances, NearbyLists& lists) const;
 
   /// The circle under a pointer: of those that contain the point, rim included, the one on top;
-  /// else the nearest site, if it is not farther than `farthest` (>= 0; infinity: wherever it is);
-  /// else kNoSite. Exact. Errors: as find; kOutOfRange also if `farthest` is negative. Cost: as
-  /// kNearest, for the circles that contain the point and one more.
-  [[nodiscard]] Error pick(double x, double y, double farthest, Top top, SiteId& id) const;
+  /// else the nearest site, if it is not farther than `maxDistance` (>= 0; infinity: wherever it
+  /// is); else kNoSite. Exact. Errors: as find; kOutOfRange also if `maxDistance` is negative.
+  /// Cost: as kNearest, for the circles that contain the point and one more.
+  [[nodiscard]] Error pick(double x, double y, double maxDistance, Top top, SiteId& id) const;
 
   /// The circle whose far side is the farthest from a point, with the largest |p - c| + r, and that
   /// distance, off by less than one unit in the last place; ties go to the larger r, then x, then

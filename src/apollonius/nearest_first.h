@@ -22,10 +22,10 @@ class APOLLONIUS_EXPORT NearestFirst {
   ~NearestFirst();
   NearestFirst(NearestFirst&&) noexcept;
 
-  /// From now on next() gives the sites around (x, y) that are not farther than `farthest`, hidden
-  /// ones too. Errors: as Diagram::within. Cost: one location.
+  /// From now on next() gives the sites around (x, y) that are not farther than `maxDistance`,
+  /// hidden ones too. Errors: as Diagram::within. Cost: one location.
   [[nodiscard]] Error start(double x, double y,
-                            double farthest = std::numeric_limits<double>::infinity());
+                            double maxDistance = std::numeric_limits<double>::infinity());
 
   /// The next site; ties as in Diagram::find, identical circles ascending by id. kNoSite after the
   /// last. Errors: kOutOfMemory; the walk ends with it. Cost: for m sites together O(m log m) with

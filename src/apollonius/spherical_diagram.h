@@ -110,23 +110,32 @@ class APOLLONIUS_EXPORT SphericalDiagram {
   /// kNoSite and infinity if empty. Cost: one location.
   [[nodiscard]] Error find(double lon, double lat, SiteId& id) const;
   [[nodiscard]] Error find(double lon, double lat, SiteId& id, double& distance) const;
+  /// The same, or kNoSite and infinity if the (rounded) distance is more than `maxDistance`.
+  [[nodiscard]] Error find(double lon, double lat, double maxDistance, SiteId& id) const;
+  [[nodiscard]] Error find(double lon, double lat, double maxDistance, SiteId& id,
+                           double& distance) const;
   /// The site whose far side is the farthest from a point: the nearest one to the opposite point.
   /// kNoSite and -infinity if empty.
   [[nodiscard]] Error farthest(double lon, double lat, SiteId& id, double& distance) const;
   /// find for lonLat.size()/2 points. `distances` may be empty, else it has one element a point.
   /// Errors: also kBadLength.
+  [[nodiscard]] Error findMany(std::span<const double> lonLat, double maxDistance,
+                               std::span<SiteId> ids, std::span<double> distances) const;
   [[nodiscard]] Error findMany(std::span<const double> lonLat, std::span<SiteId> ids,
-                               std::span<double> distances) const;
+                               std::span<double> distances) const {
+    return findMany(lonLat, std::numeric_limits<double>::infinity(), ids, distances);
+  }
   /// The k nearest sites, hidden ones too, nearest first, of those that are not farther than
-  /// `farthest`, in the order of rounded distances. Replaces the contents. Cost: one location and
-  /// O(m log m), m = the neighbours of the sites found.
-  [[nodiscard]] Error kNearest(double lon, double lat, std::size_t k, double farthest,
+  /// `maxDistance`, in the order of rounded distances. Replaces the contents. Cost: one location
+  /// and O(m log m), m = the neighbours of the sites found.
+  [[nodiscard]] Error kNearest(double lon, double lat, std::size_t k, double maxDistance,
                                std::vector<SiteId>& sites) const;
   /// As Diagram::kNearestMany.
-  [[nodiscard]] Error kNearestMany(std::span<const double> lonLat, std::size_t k, double farthest,
-                                   bool withDistances, NearbyLists& lists) const;
+  [[nodiscard]] Error kNearestMany(std::span<const double> lonLat, std::size_t k,
+                                   double maxDistance, bool withDistances,
+                                   NearbyLists& lists) const;
   /// As Diagram::pick: a site contains the points at a (rounded) distance of at most 0.
-  [[nodiscard]] Error pick(double lon, double lat, double farthest, Top top, SiteId& id) const;
+  [[nodiscard]] Error pick(double lon, double lat, double maxDistance, Top top, SiteId& id) const;
   /// As Diagram::neighbors.
   [[nodiscard]] Error neighbors(SiteId id, std::vector<SiteId>& neighbors) const;
   /// All Voronoi vertices: longitude and latitude, the distance to their three sites. Replaces the
@@ -230,10 +239,10 @@ class APOLLONIUS_EXPORT SphericalNearestFirst {
   ~SphericalNearestFirst();
   SphericalNearestFirst(SphericalNearestFirst&&) noexcept;
 
-  /// From now on next() gives the sites that are not farther than `farthest`. Errors: as
+  /// From now on next() gives the sites that are not farther than `maxDistance`. Errors: as
   /// SphericalDiagram::kNearest.
   [[nodiscard]] Error start(double lon, double lat,
-                            double farthest = std::numeric_limits<double>::infinity());
+                            double maxDistance = std::numeric_limits<double>::infinity());
   /// The next site; kNoSite after the last. Errors: kOutOfMemory; the walk ends with it.
   [[nodiscard]] Error next(SiteId& id);
   /// From the point to the site that next() gave last, as SphericalDiagram::find has it; infinity

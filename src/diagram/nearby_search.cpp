@@ -41,17 +41,15 @@ void SlotSet::grow() {
   }
 }
 
-NearbySearch::NearbySearch(const DiagramCore& diagram, double x, double y, double farthest)
+NearbySearch::NearbySearch(const DiagramCore& diagram, double x, double y, double maxDistance)
     : diagram_(diagram) {
-  start(x, y, farthest);
+  start(x, y, maxDistance);
 }
 
-Slot NearbySearch::start(double x, double y, double farthest, Slot hint) {
+Slot NearbySearch::start(double x, double y, double maxDistance, Slot hint) {
   x_ = x;
   y_ = y;
-  isLimited_ = farthest < std::numeric_limits<double>::infinity();
-  // The distance to a site with its centre at p is minus its weight.
-  limit_ = {x, y, isLimited_ ? -farthest : 0};
+  maxDistance_ = maxDistance;
   last_ = kNoSlot;
   heap_.clear();
   seen_.clear();
@@ -73,7 +71,7 @@ bool NearbySearch::isAfter(const Entry& a, const Entry& b) const {
 
 void NearbySearch::consider(Slot slot) {
   const Site& site = diagram_.site(slot);
-  if (isLimited_ && compareDistance(x_, y_, site, limit_) == Sign::kPositive) return;
+  if (isBeyond(x_, y_, site, maxDistance_)) return;
   const ApproxDistance distance(x_, y_, site);
   heap_.push_back({distance.value, distance.bound, slot});
   std::push_heap(heap_.begin(), heap_.end(),

@@ -44,13 +44,13 @@ class SlotSet {
 class NearbySearch {
  public:
   NearbySearch(const DiagramCore& diagram, double x, double y,
-               double farthest = std::numeric_limits<double>::infinity());
+               double maxDistance = std::numeric_limits<double>::infinity());
   /// For several points in turn: nothing is found before start().
   explicit NearbySearch(const DiagramCore& diagram) : diagram_(diagram) {}
 
   /// Begins at a point, in the memory of the search before; returns the nearest site, or kNoSlot in
   /// an empty diagram. `hint`: a visible site close to the point, or kNoSlot.
-  Slot start(double x, double y, double farthest, Slot hint = kNoSlot);
+  Slot start(double x, double y, double maxDistance, Slot hint = kNoSlot);
 
   /// The next site, kNoSlot after the last.
   [[nodiscard]] Slot next();
@@ -76,8 +76,7 @@ class NearbySearch {
 
   const DiagramCore& diagram_;
   double x_ = 0, y_ = 0;
-  bool isLimited_ = false;
-  Site limit_;             // as far away as the farthest
+  double maxDistance_ = 0;
   Slot last_ = kNoSlot;    // returned last, not followed yet
   FlatArray<Entry> heap_;  // the nearest on top
   SlotSet seen_;           // of visible sites: a hidden one has one parent

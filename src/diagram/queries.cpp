@@ -16,11 +16,6 @@ namespace apollonius::internal {
 
 namespace {
 
-/// Is the point in the circle, or on its rim?
-bool isInCircle(double x, double y, const Site& site) {
-  return compareDistance(x, y, site, {x, y, 0}) != Sign::kPositive;
-}
-
 struct Rectangle {
   double xmin, ymin, xmax, ymax;
 };
@@ -28,7 +23,7 @@ struct Rectangle {
 /// The point of the rectangle that is closest to the centre has coordinates of theirs: so an exact
 /// question about that point decides.
 bool meets(const Site& site, const Rectangle& r) {
-  return isInCircle(std::clamp(site.x, r.xmin, r.xmax), std::clamp(site.y, r.ymin, r.ymax), site);
+  return !isBeyond(std::clamp(site.x, r.xmin, r.xmax), std::clamp(site.y, r.ymin, r.ymax), site, 0);
 }
 
 /// About in the middle, and a coordinate that a site might have.
@@ -122,22 +117,28 @@ class WindowSearch {
 
 }  // namespace
 
-void listNearest(const DiagramCore& diagram, std::span<const double> xy, std::span<SiteId> ids,
-                 std::span<double> distances) {
+Slot orNone(const DiagramCore& diagram, Slot slot, double x, double y, double maxDistance) {
+  const bool isNone = slot == kNoSlot || isBeyond(x, y, diagram.site(slot), maxDistance);
+  return isNone ? kNoSlot : slot;
+}
+
+void listNearest(const DiagramCore& diagram, std::span<const double> xy, double maxDistance,
+                 std::span<SiteId> ids, std::span<double> distances) {
   visitPoints(diagram, xy, [&](std::size_t k, Slot hint) {
     const double x = xy[2 * k], y = xy[2 * k + 1];
     const Slot near = diagram.visibleCount() == 0 ? kNoSlot : diagram.nearest(x, y, hint);
-    ids[k] = idOrNone(diagram, near);
-    if (!distances.empty()) distances[k] = distanceTo(diagram, near, x, y);
+    const Slot found = orNone(diagram, near, x, y, maxDistance);
+    ids[k] = idOrNone(diagram, found);
+    if (!distances.empty()) distances[k] = distanceTo(diagram, found, x, y);
     return near;
   });
 }
 
-void listNearby(const DiagramCore& diagram, double x, double y, std::size_t most, double farthest,
-                std::vector<SiteId>& sites) {
+void listNearby(const DiagramCore& diagram, double x, double y, std::size_t most,
+                double maxDistance, std::vector<SiteId>& sites) {
   sites.clear();
   if (most == 0) return;
-  NearbySearch search(diagram, x, y, farthest);
+  NearbySearch search(diagram, x, y, maxDistance);
   for (Slot slot = search.next(); slot != kNoSlot; slot = search.next()) {
     sites.push_back(diagram.ids().idOf(slot));
     if (sites.size() == most) return;
@@ -145,12 +146,12 @@ void listNearby(const DiagramCore& diagram, double x, double y, std::size_t most
 }
 
 void listNearbyMany(const DiagramCore& diagram, std::span<const double> xy, std::size_t most,
-                    double farthest, bool withDistances, NearbyLists& lists) {
+                    double maxDistance, bool withDistances, NearbyLists& lists) {
   NearbyListsBuilder builder(xy.size() / 2, withDistances, lists);
   NearbySearch search(diagram);
   visitPoints(diagram, xy, [&](std::size_t k, Slot hint) {
     builder.begin(k);
-    const Slot first = search.start(xy[2 * k], xy[2 * k + 1], farthest, hint);
+    const Slot first = search.start(xy[2 * k], xy[2 * k + 1], maxDistance, hint);
     for (std::size_t left = most; left > 0; --left) {
       const Slot slot = search.next();
       if (slot == kNoSlot) break;
@@ -174,14 +175,14 @@ Slot farthestSite(const DiagramCore& diagram, double x, double y) {
   return best;
 }
 
-SiteId pick(const DiagramCore& diagram, double x, double y, double farthest, Top top) {
-  NearbySearch search(diagram, x, y, farthest);
+SiteId pick(const DiagramCore& diagram, double x, double y, double maxDistance, Top top) {
+  NearbySearch search(diagram, x, y, maxDistance);
   const auto siteOf = [&](SiteId id) -> const Site& {
     return diagram.site(diagram.ids().slotOf(id));
   };
   return topmost(
       top, [&] { return idOrNone(diagram, search.next()); },
-      [&](SiteId id) { return isInCircle(x, y, siteOf(id)); },
+      [&](SiteId id) { return !isBeyond(x, y, siteOf(id), 0); },
       [&](SiteId id) { return siteOf(id).r; });
 }
 

@@ -54,21 +54,25 @@ void visitPoints(const DiagramCore& diagram, std::span<const double> xy, Visit&&
   }
 }
 
-/// The nearest site of each of the points x, y, or kNoSite in an empty diagram, and its distance
-/// unless `distances` is empty. Throws std::bad_alloc. Cost: O(1) a point where sites are spread
-/// evenly, O(log n) else, both expected.
-void listNearest(const DiagramCore& diagram, std::span<const double> xy, std::span<SiteId> ids,
-                 std::span<double> distances);
+/// A site, or kNoSlot if it is farther from (x, y) than a limit, which may be infinite. Exact.
+[[nodiscard]] Slot orNone(const DiagramCore& diagram, Slot slot, double x, double y,
+                          double maxDistance);
+
+/// The nearest site of each of the points x, y that is not farther than `maxDistance`, or kNoSite,
+/// and its distance unless `distances` is empty. Throws std::bad_alloc. Cost: O(1) a point where
+/// sites are spread evenly, O(log n) else, both expected.
+void listNearest(const DiagramCore& diagram, std::span<const double> xy, double maxDistance,
+                 std::span<SiteId> ids, std::span<double> distances);
 
 /// The first `most` sites of a NearbySearch. Replaces the contents of `sites`. Throws
 /// std::bad_alloc.
-void listNearby(const DiagramCore& diagram, double x, double y, std::size_t most, double farthest,
-                std::vector<SiteId>& sites);
+void listNearby(const DiagramCore& diagram, double x, double y, std::size_t most,
+                double maxDistance, std::vector<SiteId>& sites);
 
 /// listNearby() for each of the points x, y. Replaces the contents of `lists`, with distances or
 /// without. Throws std::bad_alloc.
 void listNearbyMany(const DiagramCore& diagram, std::span<const double> xy, std::size_t most,
-                    double farthest, bool withDistances, NearbyLists& lists);
+                    double maxDistance, bool withDistances, NearbyLists& lists);
 
 /// The visible site whose far side is the farthest from (x, y), with the largest |p - c| + r; ties
 /// go to the larger site in the order of precedes(). kNoSlot if there is none. Exact. Cost: O(h)
@@ -76,9 +80,10 @@ void listNearbyMany(const DiagramCore& diagram, std::span<const double> xy, std:
 [[nodiscard]] Slot farthestSite(const DiagramCore& diagram, double x, double y);
 
 /// Of the sites whose circles contain the point, rim included, the one on top; else the nearest one
-/// if it is not farther than `farthest`; else kNoSite. Throws std::bad_alloc. Cost: one location
+/// if it is not farther than `maxDistance`; else kNoSite. Throws std::bad_alloc. Cost: one location
 /// and O(m log m), m = the neighbours of the circles that contain the point.
-[[nodiscard]] SiteId pick(const DiagramCore& diagram, double x, double y, double farthest, Top top);
+[[nodiscard]] SiteId pick(const DiagramCore& diagram, double x, double y, double maxDistance,
+                          Top top);
 
 /// The sites whose circles meet a closed rectangle, which may be a segment or a point; none of
 /// negative radius. In ascending order of ids. Replaces the contents of `sites`. Throws

@@ -1,5 +1,7 @@
 #include "predicate/distance.h"
 
+#include <limits>
+
 #include "number/root_sign.h"
 #include "number/twofold.h"
 #include "predicate/kernels.h"
@@ -69,6 +71,12 @@ double roundedDistance(double x, double y, const Site& s) {
   const double value = over.rounded().value();
   const Twofold rounded(value, (over - Dyadic(value)).rounded().value());
   return (rounded / (length + s.r)).value;
+}
+
+bool isBeyond(double x, double y, const Site& site, double limit) {
+  // The distance to a site with its centre at p is minus its weight.
+  return limit < std::numeric_limits<double>::infinity() &&
+         compareDistance(x, y, site, {x, y, -limit}) == Sign::kPositive;
 }
 
 bool isNearer(double x, double y, const Site& a, const Site& b) {

@@ -18,6 +18,9 @@ namespace apollonius::internal {
 /// Irreflexive and transitive.
 [[nodiscard]] bool isNearer(double x, double y, const Site& a, const Site& b);
 
+/// Is a site farther from (x, y) than a limit, which may be infinite?
+[[nodiscard]] bool isBeyond(double x, double y, const Site& site, double limit);
+
 /// The distance of a point to a site in doubles: the filter of all searches for the nearest site,
 /// which keep it. |value - (|p - c| - r)| <= bound, for p = (x, y) and the site within the
 /// documented range.

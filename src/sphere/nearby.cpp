@@ -9,14 +9,14 @@
 namespace apollonius::internal::sphere {
 
 SphericalSearch::SphericalSearch(const ProjectedDiagram& diagram, const SiteTable& sites,
-                                 const Direction& point, double farthest)
+                                 const Direction& point, double maxDistance)
     : diagram_(diagram), sites_(sites) {
-  start(point, farthest);
+  start(point, maxDistance);
 }
 
-void SphericalSearch::start(const Direction& point, double farthest) {
+void SphericalSearch::start(const Direction& point, double maxDistance) {
   point_ = point;
-  farthest_ = farthest;
+  maxDistance_ = maxDistance;
   last_ = kNoSite;
   heap_.clear();
   seen_.clear();
@@ -28,7 +28,7 @@ void SphericalSearch::start(const Direction& point, double farthest) {
 
 void SphericalSearch::consider(SiteId site) {
   const double distance = distanceTo(sites_, site, point_);
-  if (distance > farthest_) return;
+  if (distance > maxDistance_) return;
   heap_.push_back({distance, site});
   std::push_heap(heap_.begin(), heap_.end());
 }
@@ -68,22 +68,22 @@ SiteId SphericalSearch::next() {
 }
 
 SiteId pick(const ProjectedDiagram& diagram, const SiteTable& sites, const Direction& point,
-            double farthest, Top top) {
-  SphericalSearch search(diagram, sites, point, farthest);
+            double maxDistance, Top top) {
+  SphericalSearch search(diagram, sites, point, maxDistance);
   return topmost(
       top, [&] { return search.next(); }, [&](SiteId) { return search.distance() <= 0; },
       [&](SiteId id) { return sites[id].r; });
 }
 
 void listNearbyMany(const ProjectedDiagram& diagram, const SiteTable& sites,
-                    std::span<const double> lonLat, std::size_t most, double farthest,
+                    std::span<const double> lonLat, std::size_t most, double maxDistance,
                     bool withDistances, NearbyLists& lists) {
   NearbyListsBuilder builder(lonLat.size() / 2, withDistances, lists);
   if (!diagram.isEmpty()) {
     SphericalSearch search(diagram, sites);
     visitPoints(diagram, lonLat, [&](std::size_t k, const Direction& point) {
       builder.begin(k);
-      search.start(point, farthest);
+      search.start(point, maxDistance);
       for (std::size_t left = most; left > 0; --left) {
         const SiteId id = search.next();
         if (id == kNoSite) break;

@@ -28,14 +28,14 @@ namespace apollonius::internal::sphere {
 class SphericalSearch {
  public:
   SphericalSearch(const ProjectedDiagram& diagram, const SiteTable& sites, const Direction& point,
-                  double farthest = std::numeric_limits<double>::infinity());
+                  double maxDistance = std::numeric_limits<double>::infinity());
 
   /// For several points in turn: nothing is found before start().
   SphericalSearch(const ProjectedDiagram& diagram, const SiteTable& sites)
       : diagram_(diagram), sites_(sites) {}
 
   /// Begins at a point, in the memory of the search before.
-  void start(const Direction& point, double farthest);
+  void start(const Direction& point, double maxDistance);
 
   /// The next site, kNoSite after the last.
   [[nodiscard]] SiteId next();
@@ -63,21 +63,21 @@ class SphericalSearch {
   const ProjectedDiagram& diagram_;
   const SiteTable& sites_;
   Direction point_{};
-  double farthest_ = 0;
+  double maxDistance_ = 0;
   SiteId last_ = kNoSite;  // returned last, not followed yet
   FlatArray<Entry> heap_;
   SlotSet seen_;  // visible sites: a hidden one has one parent
 };
 
 /// Of the sites that contain the point, at a rounded distance of at most 0, the one on top; else
-/// the nearest one if it is not farther than `farthest`; else kNoSite. Throws std::bad_alloc.
+/// the nearest one if it is not farther than `maxDistance`; else kNoSite. Throws std::bad_alloc.
 [[nodiscard]] SiteId pick(const ProjectedDiagram& diagram, const SiteTable& sites,
-                          const Direction& point, double farthest, Top top);
+                          const Direction& point, double maxDistance, Top top);
 
 /// The first `most` sites of a search from each of the points longitude, latitude in degrees.
 /// Replaces the contents of `lists`, with distances or without. Throws std::bad_alloc.
 void listNearbyMany(const ProjectedDiagram& diagram, const SiteTable& sites,
-                    std::span<const double> lonLat, std::size_t most, double farthest,
+                    std::span<const double> lonLat, std::size_t most, double maxDistance,
                     bool withDistances, NearbyLists& lists);
 
 }  // namespace apollonius::internal::sphere

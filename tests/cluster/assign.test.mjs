@@ -41,8 +41,7 @@ function problem(name, { circles, points }) {
   writeFileSync(snapshot, bytes);
   const xy = randomPoints(points, 2);
   const file = writeArray(path.join(folder, "points.f64"), xy);
-  const distances = new Float64Array(points);
-  const ids = diagram.findMany(xy, distances);
+  const { ids, distances } = diagram.nearestMany(xy);
   diagram.dispose();
   const work = path.join(folder, "work");
   return { folder, work, snapshot, bytes, hash: hashOf(bytes), file, xy, ids, distances };

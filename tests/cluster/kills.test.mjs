@@ -51,8 +51,7 @@ function problem() {
   const random = generator(2);
   const xy = Float64Array.from({ length: 2 * kPoints }, () => random() * 2200 - 1100);
   writeArray(inFolder("points.f64"), xy);
-  const distances = new Float64Array(kPoints);
-  const ids = diagram.findMany(xy, distances);
+  const { ids, distances } = diagram.nearestMany(xy);
   diagram.dispose();
   return { "result.ids.i32": ids, "result.distances.f64": distances };
 }

@@ -128,8 +128,7 @@ describe.each(Object.keys(families))("%s", (family) => {
       const diagram = new Diagram([...circles.giants.xyr, ...xyr]);
       const most = lackOf(diagram, window, known, circles.largest);
       const xy = places(window, random, 200);
-      const distances = new Float64Array(xy.length / 2);
-      diagram.findMany(xy, distances);
+      const { distances } = diagram.nearestMany(xy);
       const lacks = distances.map((distance, k) => {
         const [x, y] = [xy[2 * k], xy[2 * k + 1]];
         const inside = Math.min(x - known[0], y - known[1], known[2] - x, known[3] - y);

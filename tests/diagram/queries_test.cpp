@@ -94,6 +94,21 @@ class Fixture {
     });
     ASSERT_EQ(diagram_.within(x, y, distance, close), Error::kNone);
     ASSERT_EQ(close, std::vector<SiteId>(all.begin(), end)) << "distance " << distance;
+    checkFind(x, y, distance, close.empty() ? kNoSite : nearest);
+  }
+
+  void checkFind(double x, double y, double maxDistance, SiteId expected) {
+    SiteId alone = 0, found = 0, one[1] = {};
+    double distance = 0, far[1] = {};
+    ASSERT_EQ(diagram_.find(x, y, maxDistance, alone), Error::kNone);
+    ASSERT_EQ(alone, expected) << "within " << maxDistance;
+    ASSERT_EQ(diagram_.find(x, y, maxDistance, found, distance), Error::kNone);
+    ASSERT_EQ(found, expected);
+    const double point[] = {x, y};
+    ASSERT_EQ(diagram_.findMany(point, maxDistance, one, far), Error::kNone);
+    ASSERT_EQ(one[0], expected);
+    ASSERT_EQ(far[0], distance);
+    ASSERT_EQ(std::isinf(distance), expected == kNoSite);
   }
 
   void checkAtHardPoints(Random& random, int points) {
@@ -231,6 +246,15 @@ TEST(Nearby, BadNumbersAreErrors) {
   EXPECT_EQ(diagram.within(0, 0, 1e-101, sites), Error::kOutOfRange);
   EXPECT_EQ(diagram.kNearestMany(std::vector{0.0, nan}, 1, 1, true, lists), Error::kNotFinite);
   EXPECT_EQ(diagram.kNearestMany({}, 1, nan, true, lists), Error::kNotFinite);
+  SiteId id = 7;
+  double distance = 7;
+  EXPECT_EQ(diagram.find(nan, 0, 1, id, distance), Error::kNotFinite);
+  EXPECT_EQ(diagram.find(0, 0, nan, id), Error::kNotFinite);
+  EXPECT_EQ(diagram.find(0, 0, 1e101, id, distance), Error::kOutOfRange);
+  EXPECT_EQ(diagram.findMany({}, nan, {}, {}), Error::kNotFinite);
+  EXPECT_EQ(diagram.farthest(nan, 0, id, distance), Error::kNotFinite);
+  EXPECT_EQ(id, 7u);
+  EXPECT_EQ(distance, 7);
 }
 
 }  // namespace

@@ -49,6 +49,8 @@ TEST(SphericalCalls, PointsThatAreNoneAreRefused) {
     EXPECT_EQ(diagram.find(lon, lat, id), error);
     EXPECT_EQ(diagram.find(lon, lat, id, distance), error);
     const double points[] = {lon, lat};
+    EXPECT_EQ(diagram.find(lon, lat, kInfinity, id), error);
+    EXPECT_EQ(diagram.find(lon, lat, kInfinity, id, distance), error);
     EXPECT_EQ(diagram.findMany(points, one, {}), error);
     EXPECT_EQ(diagram.kNearest(lon, lat, 3, kInfinity, sites), error);
     NearbyLists lists;
@@ -68,6 +70,8 @@ TEST(SphericalCalls, PointsThatAreNoneAreRefused) {
   std::vector<SiteId> sites;
   EXPECT_EQ(diagram.kNearest(0, 0, 3, kNaN, sites), Error::kNotFinite);
   EXPECT_EQ(diagram.kNearestMany({}, 3, kNaN, false, lists), Error::kNotFinite);
+  EXPECT_EQ(diagram.find(0, 0, kNaN, id), Error::kNotFinite);
+  EXPECT_EQ(diagram.findMany({}, kNaN, {}, {}), Error::kNotFinite);
   const double three[] = {1, 2, 3};
   EXPECT_EQ(diagram.kNearestMany(three, 3, kInfinity, false, lists), Error::kBadLength);
   EXPECT_EQ(diagram.pick(0, 0, kNaN, Top::kSmallest, id), Error::kNotFinite);

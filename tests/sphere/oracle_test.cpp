@@ -96,6 +96,23 @@ TEST_F(SphericalOracle, FindsTheNearestSite) {
       ASSERT_EQ(diagram.find(points[2 * k], points[2 * k + 1], id, distance), Error::kNone);
       EXPECT_NEAR(distances[k], distance, 2e-15);
     }
+    // Within the distances themselves, and a little less.
+    std::vector<SiteId> some(ids.size());
+    for (std::size_t k = 0; k < ids.size(); ++k) {
+      const std::span<const double> point(&points[2 * k], 2);
+      for (const double limit : {distances[k], distances[k] - 1e-9}) {
+        const bool isNear = distances[k] <= limit;
+        SiteId id = 0;
+        double distance = 0;
+        ASSERT_EQ(diagram.find(point[0], point[1], limit, id, distance), Error::kNone);
+        EXPECT_EQ(id, isNear ? ids[k] : kNoSite);
+        EXPECT_EQ(std::isinf(distance), !isNear);
+        ASSERT_EQ(diagram.find(point[0], point[1], limit, id), Error::kNone);
+        EXPECT_EQ(id, isNear ? ids[k] : kNoSite);
+        ASSERT_EQ(diagram.findMany(point, limit, std::span(some).first(1), {}), Error::kNone);
+        EXPECT_EQ(some[0], id);
+      }
+    }
   });
 }
 

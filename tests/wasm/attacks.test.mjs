@@ -56,7 +56,7 @@ test.each([
   expect(diagram.validate()).toBeNull();
 });
 
-test("ids and distances with a wrong length", () => {
+test("ids with a wrong length", () => {
   const diagram = built();
   expect(diagram.removeMany(withLength(new Uint32Array([1, 2]), 100_000))).toBe(2);
   expect(diagram.removeMany(withLength(new Uint32Array([3, 4]), 1))).toBe(2);
@@ -67,16 +67,6 @@ test("ids and distances with a wrong length", () => {
     () => diagram.updateMany(withLength(new Uint32Array(100_000), 1), [1, 2, 3]),
     "bad-length",
     "expected 300000 values",
-  );
-  expectRefusal(
-    () => diagram.findMany([1, 2, 3, 4], withLength(new Float64Array(1), 2)),
-    "bad-length",
-    "distances is Float64Array(1)",
-  );
-  expectRefusal(
-    () => diagram.findMany([1, 2], pretending(new Uint8Array(1), "Float64Array")),
-    "bad-length",
-    "distances is Uint8Array(1)",
   );
   expect(diagram.validate()).toBeNull();
 });
@@ -211,31 +201,6 @@ test.each([
         },
         xyr,
       );
-    },
-  ],
-  [
-    "findMany",
-    (d, away) => {
-      const distances = new Float64Array(1);
-      return d.findMany(
-        {
-          length: 2,
-          0: 1,
-          get 1() {
-            away(distances);
-            return 1;
-          },
-        },
-        distances,
-      );
-    },
-  ],
-  [
-    "findMany of none",
-    (d, away) => {
-      const distances = new Float64Array(0);
-      away(distances);
-      return d.findMany([], distances);
     },
   ],
 ])("detached in the middle: %s", (_, call) => {

@@ -116,16 +116,10 @@ const cases = [
     "expected a multiple of 2 values in xy, got 3",
   ],
   [
-    "findMany distances too short",
+    "findMany an array to be filled",
     (d) => d.findMany([0, 0, 1, 1], new Float64Array(1)),
-    "bad-length",
-    "distances",
-  ],
-  [
-    "findMany distances of floats",
-    (d) => d.findMany([0, 0], new Float32Array(1)),
-    "bad-length",
-    "distances",
+    "bad-option",
+    "options is Float64Array(1), expected { maxDistance, filter }",
   ],
 
   // Ids

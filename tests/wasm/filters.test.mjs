@@ -55,8 +55,7 @@ const filters = [
 
 test.each(filters)("of 1000 sites, %s: find, nearest and findMany", (_, filter) => {
   const { nearest } = bruteForce(listOf(diagram));
-  const distances = new Float64Array(points.length);
-  const ids = diagram.findMany(points.flat(), distances, { filter });
+  const { ids, distances } = diagram.nearestMany(points.flat(), { filter });
   expect(ids).toBeInstanceOf(Int32Array);
   expect(diagram.findMany(Float64Array.from(points.flat()), { filter })).toEqual(ids);
   points.forEach(([x, y], k) => {
@@ -78,15 +77,16 @@ test.each(filters)("of 1000 sites, %s: find, nearest and findMany", (_, filter) 
 test.each(filters)("of 1000 sites, %s: pick and pickMany", (_, filter) => {
   const { pick } = bruteForce(listOf(diagram));
   for (const top of [undefined, "smallest", "last"]) {
-    for (const farthest of [undefined, 0, 20, Infinity]) {
-      const ids = diagram.pickMany(points.flat(), farthest, { top, filter });
+    for (const maxDistance of [undefined, 0, 20, Infinity]) {
+      const options = { maxDistance, top, filter };
+      const ids = diagram.pickMany(points.flat(), options);
       expect(ids).toBeInstanceOf(Int32Array);
       points.forEach(([x, y], k) => {
-        const expected = pick(x, y, farthest ?? Infinity, top ?? "smallest", filter);
-        expect(diagram.pick(x, y, farthest, { top, filter })).toBe(expected);
+        const expected = pick(x, y, maxDistance ?? Infinity, top ?? "smallest", filter);
+        expect(diagram.pick(x, y, options)).toBe(expected);
         expect(ids[k]).toBe(expected);
       });
-      if (farthest === undefined)
+      if (maxDistance === undefined)
         expect(diagram.pickMany(points.flat(), { top, filter })).toEqual(ids);
     }
   }
@@ -106,14 +106,14 @@ test("on a grid, where all is tied: the circles that brute force finds", () => {
     const xy = Array.from({ length: 50 }, () => [whole(9) - 1, whole(9) - 1]);
     const found = one.findMany(xy.flat(), options);
     const picked = ["smallest", "last"].map((top) =>
-      one.pickMany(xy.flat(), 2, { ...options, top }),
+      one.pickMany(xy.flat(), { ...options, maxDistance: 2, top }),
     );
     xy.forEach(([x, y], k) => {
       const first = nearest(x, y, options.filter)?.id ?? -1;
       expect([found[k], one.find(x, y, options)]).toEqual([first, first]);
       ["smallest", "last"].forEach((top, t) => {
         const expected = pick(x, y, 2, top, options.filter);
-        const ids = [picked[t][k], one.pick(x, y, 2, { ...options, top })];
+        const ids = [picked[t][k], one.pick(x, y, { ...options, maxDistance: 2, top })];
         expect(ids).toEqual([expected, expected]);
       });
     });
@@ -122,26 +122,30 @@ test("on a grid, where all is tied: the circles that brute force finds", () => {
 });
 
 test("pickMany is pick, at every limit, rims and empty diagrams included", () => {
-  for (const farthest of [undefined, 0, 1e-100, 35, Infinity])
-    for (const options of [undefined, { top: "last" }]) {
-      const expected = points.map(([x, y]) => diagram.pick(x, y, farthest, options));
-      expect([...diagram.pickMany(points.flat(), farthest, options)]).toEqual(expected);
+  for (const maxDistance of [undefined, 0, 1e-100, 35, Infinity])
+    for (const top of [undefined, "last"]) {
+      const expected = points.map(([x, y]) => diagram.pick(x, y, { maxDistance, top }));
+      expect([...diagram.pickMany(points.flat(), { maxDistance, top })]).toEqual(expected);
     }
   const circles = new Diagram([0, 0, 5, 3, 0, 1, 20, 0, 5, 3, 0, 2]);
   const xy = [3, 0, 0, 4, 11, 0, 5, 0, 25, 0, 26, 0];
   expect([...circles.pickMany(xy)]).toEqual([1, 0, 2, 3, 2, 2]);
-  expect([...circles.pickMany(xy, 4)]).toEqual([1, 0, 2, 3, 2, 2]);
-  expect([...circles.pickMany(xy, 3.9)]).toEqual([1, 0, -1, 3, 2, 2]);
-  expect([...circles.pickMany(xy, 1)]).toEqual([1, 0, -1, 3, 2, 2]); // at that very distance
-  expect([...circles.pickMany(xy, 0)]).toEqual([1, 0, -1, 3, 2, -1]);
+  expect([...circles.pickMany(xy, { maxDistance: 4 })]).toEqual([1, 0, 2, 3, 2, 2]);
+  expect([...circles.pickMany(xy, { maxDistance: 3.9 })]).toEqual([1, 0, -1, 3, 2, 2]);
+  // at that very distance
+  expect([...circles.pickMany(xy, { maxDistance: 1 })]).toEqual([1, 0, -1, 3, 2, 2]);
+  expect([...circles.pickMany(xy, { maxDistance: 0 })]).toEqual([1, 0, -1, 3, 2, -1]);
   expect([...circles.pickMany([])]).toEqual([]);
   expect([...new Diagram().pickMany([0, 0, 1, 1])]).toEqual([-1, -1]);
   expect([...new Diagram().pickMany([0, 0], { filter: () => true })]).toEqual([-1]);
   // next to a limit that doubles do not tell from the distance
   const [x, far] = [3e15, 5e15 - 1];
   const remote = new Diagram([x, 4e15, 1]);
-  for (const limit of [far - 1, far, far + 1])
-    expect(remote.pickMany([0, 0], limit)[0]).toBe(remote.pick(0, 0, limit));
+  for (const maxDistance of [far - 1, far, far + 1]) {
+    const id = remote.pick(0, 0, { maxDistance });
+    expect(remote.pickMany([0, 0], { maxDistance })[0]).toBe(id);
+    expect(remote.find(0, 0, { maxDistance })).toBe(id);
+  }
 });
 
 test("identical and nested circles: the first that passes, hidden or not", () => {
@@ -153,8 +157,8 @@ test("identical and nested circles: the first that passes, hidden or not", () =>
   expect(nested.pick(1, 0, among(0, 2))).toBe(2);
   expect(nested.pick(1, 0, among(0, 1))).toBe(1);
   expect(nested.pick(1, 0, { ...among(0, 3), top: "last" })).toBe(3);
-  expect(nested.pick(1, 0, 10, among(4))).toBe(-1);
-  expect(nested.pick(1, 0, 48, among(4))).toBe(4);
+  expect(nested.pick(1, 0, { ...among(4), maxDistance: 10 })).toBe(-1);
+  expect(nested.pick(1, 0, { ...among(4), maxDistance: 48 })).toBe(4);
   expect([...nested.findMany([1, 0, 60, 0], among(3))]).toEqual([3, 3]);
 });
 
@@ -244,7 +248,10 @@ const uses = [
   ["nearest", (d, options) => d.nearest(0, 0, options)],
   ["findMany", (d, options) => d.findMany([0, 0, 100, 100], options)],
   ["pick", (d, options) => d.pick(0, 0, options)],
-  ["pick, maxDistance", (d, options) => d.pick(0, 0, 5000, options)],
+  ["find, maxDistance", (d, options) => d.find(0, 0, options && { ...options, maxDistance: 5000 })],
+  ["nearestMany", (d, options) => d.nearestMany([0, 0, 100, 100], options)],
+  ["farthest", (d, options) => d.farthest(0, 0, options)],
+  ["search", (d, options) => d.search(-Infinity, -Infinity, Infinity, Infinity, options)],
   ["pickMany", (d, options) => d.pickMany([0, 0, 100, 100], options)],
 ];
 
@@ -286,44 +293,30 @@ test.each(uses)("%s: a filter may throw, and may not change the diagram", (_, us
   expectRefusal(() => use(circles, inner), "disposed", "the diagram");
 });
 
-test("findMany that fails has filled in no distances", () => {
-  const distances = new Float64Array(2).fill(7);
-  let calls = 0;
-  const failing = () => {
-    if (++calls === 5) throw new Error("own");
-    return false;
-  };
-  expect(() => diagram.findMany([0, 0, 1, 1], distances, { filter: failing })).toThrow("own");
-  expect([...distances]).toEqual([7, 7]);
-  const gone = new Float64Array(2);
-  const taking = () => {
-    if (gone.length > 0) structuredClone(gone, { transfer: [gone.buffer] });
-    return true;
-  };
-  expectRefusal(
-    () => diagram.findMany([0, 0, 1, 1], gone, { filter: taking }),
-    "bad-length",
-    "dis",
-  );
+test("a filter may change the array of the call", () => {
   const xy = Float64Array.of(0, 0, 500, 500);
   const spoiling = () => xy.fill(NaN) && true;
   expect(diagram.findMany(xy, { filter: spoiling })).toEqual(diagram.findMany([0, 0, 500, 500]));
 });
 
 test.each([
-  [(d) => d.findMany([0, 0], new ArrayBuffer(8)), "bad-length", "distances is an object"],
-  [(d) => d.findMany([0, 0], 1), "bad-length", "distances is 1"],
-  [(d) => d.findMany([0, 0], undefined, 7), "bad-option", "options is 7"],
+  [(d) => d.findMany([0, 0], new Uint8Array(8)), "bad-option", "options is Uint8Array(8)"],
+  [(d) => d.findMany([0, 0], "1"), "bad-option", 'options is the string "1"'],
+  [(d) => d.nearestMany([0, 0], { distances: true }), "bad-option", "options.distances is unknown"],
   [(d) => d.findMany([0, NaN], { filter: () => true }), "not-finite", "xy[1] is NaN"],
-  [(d) => d.find(0, 0, 7), "bad-option", "options is 7, expected { filter }"],
+  [
+    (d) => d.find(0, 0, 7),
+    "bad-option",
+    "options is 7, expected { maxDistance, filter }: { maxDistance: 20 } is a limit",
+  ],
   [(d) => d.find(NaN, 0, { filter: () => true }), "not-finite", "x is NaN"],
   [(d) => d.nearest(0, 1e101, { filter: () => true }), "out-of-range", "y is 1e+101"],
   [(d) => d.pick(0, "1", { filter: () => true }), "not-finite", 'y is the string "1"'],
   [(d) => d.pick(1e101, 0, { filter: () => true }), "out-of-range", "x is 1e+101"],
-  [(d) => d.pick(0, 0, -1, { filter: () => true }), "out-of-range", "maxDistance is -1"],
-  [(d) => d.pick(0, 0, null), "not-finite", "maxDistance is null"],
+  [(d) => d.pick(0, 0, { maxDistance: -1 }), "out-of-range", "maxDistance is -1"],
+  [(d) => d.pick(0, 0, { maxDistance: null }), "not-finite", "maxDistance is null"],
   [(d) => d.pickMany([0, 0, 1]), "bad-length", "a multiple of 2 values in xy, got 3"],
-  [(d) => d.pickMany([0, 0], -1), "out-of-range", "maxDistance is -1"],
+  [(d) => d.pickMany([0, 0], { maxDistance: -1 }), "out-of-range", "maxDistance is -1"],
   [(d) => d.pickMany([0, 0], { top: "first" }), "bad-option", 'options.top is the string "first"'],
 ])("%p", (call, code, message) => {
   expectRefusal(() => call(diagram), code, message);
@@ -340,8 +333,7 @@ test("SphericalDiagram: find, nearest and findMany", () => {
   const globe = new SphericalDiagram(sites.flat());
   const places = sites.map(([lon, lat]) => [lon + 1, lat * 0.9]);
   for (const filter of [() => true, () => false, (id) => id % 7 === 0, (id) => id === 99]) {
-    const distances = new Float64Array(places.length);
-    const ids = globe.findMany(places.flat(), distances, { filter });
+    const { ids, distances } = globe.nearestMany(places.flat(), { filter });
     expect(globe.findMany(places.flat(), { filter })).toEqual(ids);
     places.forEach(([lon, lat], k) => {
       const [first = -1] = globe.kNearest(lon, lat, 1, { filter });

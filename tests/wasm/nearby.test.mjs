@@ -124,12 +124,12 @@ test.each(calls)("in a filter, %s is busy if it would change the diagram", async
 test("pick: the smallest under the pointer, else the nearest", () => {
   const circles = new Diagram([0, 0, 5, 3, 0, 1, 20, 0, 5, 3, 0, 2]);
   expect(circles.pick(3, 0)).toBe(1);
-  expect(circles.pick(3, 0, 0, { top: "last" })).toBe(3);
+  expect(circles.pick(3, 0, { maxDistance: 0, top: "last" })).toBe(3);
   expect(circles.pick(0, 4)).toBe(0);
   expect(circles.pick(11, 0)).toBe(2); // 4 away, the other one 6
-  expect(circles.pick(11, 0, 4)).toBe(2);
-  expect(circles.pick(11, 0, 3.9)).toBe(-1);
-  expect(circles.pick(11, 0, 0)).toBe(-1);
+  expect(circles.pick(11, 0, { maxDistance: 4 })).toBe(2);
+  expect(circles.pick(11, 0, { maxDistance: 3.9 })).toBe(-1);
+  expect(circles.pick(11, 0, { maxDistance: 0 })).toBe(-1);
   expect(new Diagram().pick(0, 0)).toBe(-1);
 });
 
@@ -168,20 +168,24 @@ test.each([
   [(d) => d.within(Infinity, 0, 1), "not-finite", "x is Infinity"],
   [(d) => d.within(0, null, 1), "not-finite", "y is null"],
   [(d) => d.within(1e-101, 0, 1), "out-of-range", "x is 1e-101"],
-  [(d) => d.within(0, 0), "not-finite", "distance is undefined"],
-  [(d) => d.within(0, 0, -Infinity), "not-finite", "distance is -Infinity"],
-  [(d) => d.within(0, 0, NaN), "not-finite", "distance is NaN"],
-  [(d) => d.within(0, 0, null), "not-finite", "distance is null"],
-  [(d) => d.within(0, 0, undefined, { filter: () => true }), "not-finite", "distance is undefined"],
-  [(d) => d.within(0, 0, "Infinity"), "not-finite", 'distance is the string "Infinity"'],
+  [(d) => d.within(0, 0), "not-finite", "maxDistance is undefined"],
+  [(d) => d.within(0, 0, -Infinity), "not-finite", "maxDistance is -Infinity"],
+  [(d) => d.within(0, 0, NaN), "not-finite", "maxDistance is NaN"],
+  [(d) => d.within(0, 0, null), "not-finite", "maxDistance is null"],
+  [
+    (d) => d.within(0, 0, undefined, { filter: () => true }),
+    "not-finite",
+    "maxDistance is undefined",
+  ],
+  [(d) => d.within(0, 0, "Infinity"), "not-finite", 'maxDistance is the string "Infinity"'],
   [(d) => d.within(Infinity, 0, Infinity), "not-finite", "x is Infinity"],
   [(d) => d.within(0, 1e101, Infinity), "out-of-range", "y is 1e+101"],
   [(d) => d.search(Infinity, 0, Infinity, 1), "bad-bounds", "xmin of bounds is Infinity"],
   [(d) => d.search(0, 0, 1, -Infinity), "bad-bounds", "ymax of bounds is -Infinity"],
   [(d) => d.search(-Infinity, NaN, Infinity, 1), "bad-bounds", "ymin of bounds is NaN"],
   [(d) => d.search(-Infinity, 2, Infinity, 1), "bad-bounds", "expected xmin <= xmax and ymin"],
-  [(d) => d.within(0, 0, "1"), "not-finite", 'distance is the string "1"'],
-  [(d) => d.within(0, 0, 1e200), "out-of-range", "distance is 1e+200"],
+  [(d) => d.within(0, 0, "1"), "not-finite", 'maxDistance is the string "1"'],
+  [(d) => d.within(0, 0, 1e200), "out-of-range", "maxDistance is 1e+200"],
 ])("%p", (call, code, message) => {
   expectRefusal(() => call(diagram), code, message);
 });

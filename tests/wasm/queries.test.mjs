@@ -17,7 +17,8 @@ test("findMany of few points, which are asked one by one, and of more: the answe
     const floats = Float32Array.from(xy);
     expect(diagram.findMany(xy)).toEqual(expected);
     expect(diagram.findMany([...xy])).toEqual(expected);
-    expect(diagram.findMany(xy, new Float64Array(points))).toEqual(expected);
+    expect(diagram.nearestMany(xy).ids).toEqual(expected);
+    expect(diagram.findMany(xy, { maxDistance: 1e9 })).toEqual(expected);
     expect(diagram.findMany(floats)).toEqual(diagram.findMany([...floats]));
     expect(new Diagram().findMany(xy)).toEqual(new Int32Array(points).fill(-1));
     if (points === 0) continue;
@@ -91,8 +92,7 @@ test("distances are right to the last place, and of the right sign, where digits
     const one = new Diagram(circle);
     const { distance } = one.nearest(px, py);
     expectExact(distance, circle, px, py);
-    const distances = new Float64Array(20);
-    one.findMany(new Array(20).fill([px, py]).flat(), distances);
+    const { distances } = one.nearestMany(new Array(20).fill([px, py]).flat());
     expect(distances).toEqual(new Float64Array(20).fill(distance));
     one.dispose();
   }

@@ -42,14 +42,15 @@ test.each(sets)("%s: finds what brute force finds", (_, list) => {
   const diagram = new SphericalDiagram(list.flat());
   expect(diagram.validate()).toBeNull();
   const points = Array.from({ length: 200 }, point);
-  const distances = new Float64Array(points.length);
-  const many = diagram.findMany(points.flat(), distances);
+  const { ids: many, distances } = diagram.nearestMany(points.flat());
+  expect(diagram.findMany(points.flat())).toEqual(many);
   const lists = diagram.kNearestMany(points.flat(), 5, { distances: true, maxDistance: 1 });
   const odd = { filter: (id) => id % 2 === 1 };
   const oddLists = diagram.withinMany(points.flat(), 0.1, odd);
   const rowOf = ({ ids, starts }, k) => ids.subarray(starts[k], starts[k + 1]);
-  const picked = diagram.pickMany(points.flat(), 0.5);
-  expect([...picked]).toEqual(points.map(([lon, lat]) => diagram.pick(lon, lat, 0.5)));
+  const near = { maxDistance: 0.5 };
+  const picked = diagram.pickMany(points.flat(), near);
+  expect([...picked]).toEqual(points.map(([lon, lat]) => diagram.pick(lon, lat, near)));
   points.forEach(([lon, lat], k) => {
     expect(rowOf(lists, k)).toEqual(diagram.kNearest(lon, lat, 5, { maxDistance: 1 }));
     expect(rowOf(oddLists, k)).toEqual(diagram.within(lon, lat, 0.1, odd));
@@ -64,8 +65,9 @@ test.each(sets)("%s: finds what brute force finds", (_, list) => {
     const under = list.map((_, id) => id).filter((id) => distance(lon, lat, list[id]) <= 0);
     const top = under.sort((a, b) => list[b][2] - list[a][2] || a - b).at(-1);
     expect(diagram.pick(lon, lat)).toBe(top ?? diagram.kNearest(lon, lat, 1)[0]);
-    expect(diagram.pick(lon, lat, 0)).toBe(top ?? -1);
-    expect(diagram.pick(lon, lat, 0, { top: "last" })).toBe(under.length ? Math.max(...under) : -1);
+    expect(diagram.pick(lon, lat, { maxDistance: 0 })).toBe(top ?? -1);
+    const last = diagram.pick(lon, lat, { maxDistance: 0, top: "last" });
+    expect(last).toBe(under.length ? Math.max(...under) : -1);
     const near = diagram.kNearest(lon, lat, 5);
     const sorted = list.map((site) => distance(lon, lat, site)).sort((a, b) => a - b);
     expect(near.length).toBe(Math.min(5, list.length));

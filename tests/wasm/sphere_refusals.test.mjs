@@ -65,12 +65,12 @@ test("arrays, weights, options and ids are refused by name", () => {
     [() => diagram.findMany([1, 200]), "out-of-range", "lonLat[1] is 200"],
     [() => diagram.kNearestMany([1, 200], 1), "out-of-range", "lonLat[1] is 200"],
     [() => diagram.withinMany([1, 2, 3], 1), "bad-length", "a multiple of 2 values in lonLat"],
-    [() => diagram.pick(0, 0, -1), "out-of-range", "maxDistance is -1"],
+    [() => diagram.pick(0, 0, { maxDistance: -1 }), "out-of-range", "maxDistance is -1"],
     [() => diagram.pickMany([1, 200]), "out-of-range", "lonLat[1] is 200"],
     [() => diagram.kNearest(0, 0, -1), "out-of-range", "k is -1"],
     [() => diagram.kNearest(0, 0, 1, { filter: 3 }), "bad-option", "options.filter is 3"],
     [() => diagram.kNearest(0, 0, 1, { far: 3 }), "bad-option", "options.far is unknown"],
-    [() => diagram.within(0, 0, NaN), "not-finite", "distance is NaN"],
+    [() => diagram.within(0, 0, NaN), "not-finite", "maxDistance is NaN"],
     [() => diagram.cellPolygon(0, { tolerance: 0 }), "out-of-range", "options.tolerance is 0"],
     [() => diagram.cellArea(0, { distance: NaN }), "not-finite", "distance is NaN"],
     [() => diagram.cellArea(0, { distance: [1] }), "bad-length", "distance has 1 elements"],
@@ -124,7 +124,7 @@ test("arrays, weights, options and ids are refused by name", () => {
     [() => SphericalDiagram.fromBytes([1]), "bad-length", "bytes is an array of 1"],
     [() => SphericalDiagram.fromBytes(new Diagram().toBytes()), "corrupt-snapshot", "no snapshot"],
     [() => find(0, 0), "bad-option", "a method was called on undefined"],
-    [() => Diagram.prototype.find.call(diagram, 0, 0), "bad-option", "a method was called on an o"],
+    [() => Diagram.prototype.hull.call(diagram), "bad-option", "a method was called on an o"],
   ])
     expectRefusal(call, code, message);
   expect(diagram.sites()).toEqual(before);

@@ -72,16 +72,22 @@ struct Nearest {
   double distance = 0;
 };
 template <class AnyDiagram>
-Nearest nearest(const AnyDiagram& diagram, double x, double y) {
+Nearest nearest(const AnyDiagram& diagram, double x, double y, double maxDistance) {
   SiteId id = apollonius::kNoSite;
   double distance = 0;
-  check(diagram.find(x, y, id, distance));
+  check(diagram.find(x, y, maxDistance, id, distance));
   return {asSigned(id), distance};
 }
 template <class AnyDiagram>
 std::int32_t find(const AnyDiagram& diagram, double x, double y) {
   SiteId id = apollonius::kNoSite;
   check(diagram.find(x, y, id));
+  return asSigned(id);
+}
+template <class AnyDiagram>
+std::int32_t findWithin(const AnyDiagram& diagram, double x, double y, double maxDistance) {
+  SiteId id = apollonius::kNoSite;
+  check(diagram.find(x, y, maxDistance, id));
   return asSigned(id);
 }
 
@@ -95,25 +101,25 @@ Nearest farthest(const AnyDiagram& diagram, double x, double y) {
 
 template <class AnyDiagram>
 std::vector<SiteId> kNearest(const AnyDiagram& diagram, double x, double y, std::size_t k,
-                             double farthest) {
+                             double maxDistance) {
   std::vector<SiteId> sites;
-  check(diagram.kNearest(x, y, k, farthest, sites));
+  check(diagram.kNearest(x, y, k, maxDistance, sites));
   return sites;
 }
 
 template <class AnyDiagram>
 apollonius::NearbyLists kNearestMany(const AnyDiagram& diagram, const NumbersIn& xy, std::size_t k,
-                                     double farthest, bool withDistances) {
+                                     double maxDistance, bool withDistances) {
   apollonius::NearbyLists lists;
-  check(diagram.kNearestMany(vectorOf<double>(xy), k, farthest, withDistances, lists));
+  check(diagram.kNearestMany(vectorOf<double>(xy), k, maxDistance, withDistances, lists));
   return lists;
 }
 
 /// The caller deletes it, before the diagram changes.
 template <class Walk, class AnyDiagram>
-Walk* nearestFirst(const AnyDiagram& diagram, double x, double y, double farthest) {
+Walk* nearestFirst(const AnyDiagram& diagram, double x, double y, double maxDistance) {
   auto walk = allocating([&] { return std::make_unique<Walk>(diagram); });
-  check(walk->start(x, y, farthest));
+  check(walk->start(x, y, maxDistance));
   return walk.release();
 }
 
@@ -135,13 +141,13 @@ void updateMany(AnyDiagram& diagram, const NumbersIn& ids, const NumbersIn& xyr)
 }
 
 template <class AnyDiagram>
-void findMany(const AnyDiagram& diagram, const NumbersIn& xy, const NumbersOut& ids,
-              const NumbersOut& distances) {
+void findMany(const AnyDiagram& diagram, const NumbersIn& xy, double maxDistance,
+              const NumbersOut& ids, const NumbersOut& distances) {
   const std::vector<double> points = vectorOf<double>(xy);
   const std::size_t count = points.size() / 2;
   auto found = allocating([&] { return std::vector<SiteId>(count); });
   auto far = allocating([&] { return std::vector<double>(distances.isNull() ? 0 : count); });
-  check(diagram.findMany(points, found, far));
+  check(diagram.findMany(points, maxDistance, found, far));
   ids.call<void>("set", viewOf(found));
   if (!distances.isNull()) distances.call<void>("set", viewOf(far));
 }
@@ -217,6 +223,7 @@ emscripten::class_<AnyDiagram> registerDiagram(const char* name, const char* nam
       .function("coverOf", returning<&AnyDiagram::coverOf>())
       // Queries
       .function("find", &find<AnyDiagram>)
+      .function("findWithin", &findWithin<AnyDiagram>)
       .function("nearest", &nearest<AnyDiagram>)
       .function("farthest", &farthest<AnyDiagram>)
       .function("findMany", &findMany<AnyDiagram>)

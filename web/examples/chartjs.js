@@ -35,6 +35,6 @@ export default { id: "circle", afterUpdate: forget, afterDraw: forget };
   const { x, y } = getRelativePosition(event, chart);
   if (!chart.isPointInArea({ x, y })) return [];
   const { items, diagram } = layoutOf(chart, isFinal);
-  const id = diagram.pick(x, y, intersect ? 0 : Infinity);
+  const id = diagram.pick(x, y, { maxDistance: intersect ? 0 : Infinity });
   return id < 0 ? [] : [items[id]];
 };

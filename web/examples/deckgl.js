@@ -45,7 +45,7 @@ export default function nearestInDeck(container, bubbles, onPick = (_id) => {}) 
     if (!viewport) return -1; // before the first frame
     const { left, top } = container.getBoundingClientRect();
     const [x, y] = viewport.unproject([clientX - left, clientY - top]);
-    return diagram.pick(x, y, reach / viewport.scale);
+    return diagram.pick(x, y, { maxDistance: reach / viewport.scale });
   };
   container.addEventListener("pointermove", (event) => pick(at(event)));
   container.addEventListener("pointerleave", () => pick(-1));

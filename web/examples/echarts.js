@@ -62,7 +62,9 @@ export default function nearestInChart(container, rows) {
         chart.dispatchAction({ type, seriesIndex: 0, dataIndex: id });
   };
   const pointer = chart.getZr();
-  pointer.on("mousemove", ({ offsetX, offsetY }) => pick(diagram.pick(offsetX, offsetY, reach)));
+  pointer.on("mousemove", ({ offsetX, offsetY }) =>
+    pick(diagram.pick(offsetX, offsetY, { maxDistance: reach })),
+  );
   pointer.on("globalout", () => pick(-1));
 
   /** To be called when the chart goes. */

@@ -6,8 +6,7 @@ let diagram;
 self.onmessage = ({ data: { circles, points, question } }) => {
   if (circles) diagram = new Diagram(circles);
   if (!points) return;
-  const distances = new Float64Array(points.length / 2);
-  const ids = diagram.findMany(points, distances);
+  const { ids, distances } = diagram.nearestMany(points);
   const transfer = [ids.buffer, distances.buffer]; // moved, not copied
   self.postMessage({ ids, distances, question }, { transfer });
 };

@@ -70,7 +70,11 @@ export default async function nearestInChart(container, rows) {
   // In place of Plotly's own search; the target is the plot without its axes.
   chart.on("plotly_beforehover", ({ type, clientX, clientY, target }) => {
     const { left, top } = target.getBoundingClientRect();
-    pick(type === "mouseout" ? -1 : diagram.pick(clientX - left, clientY - top, reach));
+    pick(
+      type === "mouseout"
+        ? -1
+        : diagram.pick(clientX - left, clientY - top, { maxDistance: reach }),
+    );
     return false;
   });
 

@@ -14,7 +14,7 @@ export default function BubbleChart({ bubbles, width = 960, height = 500 }) {
   );
   // Kept is where the pointer is: who is there follows from that, and from the bubbles of now.
   const [pointer, setPointer] = useState(null);
-  const picked = pointer ? diagram.pick(...pointer, 20) : -1;
+  const picked = pointer ? diagram.pick(...pointer, { maxDistance: 20 }) : -1;
 
   return (
     <svg

@@ -34,8 +34,7 @@ function makeGround(): Ground {
     xy[2 * k] = (((k % kCells) + 0.5) * kSide) / kCells;
     xy[2 * k + 1] = ((Math.floor(k / kCells) + 0.5) * kSide) / kCells;
   }
-  const heights = new Float64Array(kCells * kCells);
-  const ids = new Diagram(flat(kCircles)).findMany(xy, heights);
+  const { ids, distances: heights } = new Diagram(flat(kCircles)).nearestMany(xy);
   const lights = new Float64Array(heights.length);
   const seams = new Uint8Array(heights.length);
   for (let k = 0; k < heights.length; k++) {

@@ -31,8 +31,7 @@ function compare(centres: Diagram, circles: Diagram) {
     for (let x = kStep / 2; x < kSide; x += kStep) places.push(x, y);
   const xy = Float64Array.from(places);
   const picked = centres.findMany(xy);
-  const distances = new Float64Array(xy.length / 2);
-  const nearest = circles.findMany(xy, distances);
+  const { ids: nearest, distances } = circles.nearestMany(xy);
   let wrong = 0;
   let worst: Point = [0, 0];
   let most = -Infinity;

@@ -178,12 +178,11 @@ async function addSphere({ SphericalDiagram }, bytes) {
   globe.removeMany([7, 8]);
   const ids = globe.ids();
   const points = Array.from({ length: 200 }, somewhere).flat();
-  const distances = new Float64Array(200);
   const values = Float64Array.from({ length: Math.max(...ids) + 1 }, () => random());
   bytes.add([
     [globe.radius, globe.size, globe.visibleSize, globe.hiddenSize, String(globe), globe.has(3)],
     [globe.sites(), globe.toJSON(), globe.vertices(), globe.edges(), globe.validate()],
-    [globe.findMany(points, distances), distances, globe.pickMany(points)],
+    [globe.nearestMany(points), globe.pickMany(points)],
     [globe.kNearestMany(points, 4, { distances: true }), globe.withinMany(points, 900)],
     [globe.largestEmptyCircle(), globe.emptyCircles(12), globe.interpolate(values, points)],
     globe.toBytes(),
@@ -283,8 +282,7 @@ function outputs(diagram, bytes, random, curvePoint, curveTangent) {
   for (const id of ids.slice(0, 100))
     bytes.add([diagram.isHidden(id), diagram.coverOf(id), diagram.neighbors(id)]);
   const points = Float64Array.from(Array.from({ length: 100 }, somewhere).flat());
-  const distances = new Float64Array(100);
-  bytes.add([diagram.findMany(points, distances), distances]);
+  bytes.add(diagram.nearestMany(points));
   bytes.add([diagram.findMany(points), diagram.findMany(points.subarray(0, 20))]);
   bytes.add(diagram.kNearestMany(points, 5, { distances: true }));
   const [x0, y0] = somewhere();

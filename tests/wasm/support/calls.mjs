@@ -162,6 +162,7 @@ export const diagramCalls = {
     refuses: [
       ...number("x", (d, x) => d.find(x, 0)),
       ...number("y", (d, y) => d.find(0, y)),
+      ...number("options.maxDistance", (d, maxDistance) => d.find(0, 0, { maxDistance })),
       ["bad-option", (d) => d.find(0, 0, { filter: 7 }), "options.filter is 7"],
     ],
   },
@@ -178,23 +179,25 @@ export const diagramCalls = {
     refuses: [
       ...number("x", (d, x) => d.farthest(x, 0)),
       ...number("y", (d, y) => d.farthest(0, y)),
+      ["bad-option", (d) => d.farthest(0, 0, { maxDistance: 1 }), "options.maxDistance is unknown"],
+      ["bad-option", (d) => d.farthest(0, 0, { filter: 7 }), "options.filter is 7"],
     ],
   },
   findMany: {
     use: (d) => d.findMany([0, 0]),
     refuses: [
       ...numbers("xy", 2, (d, xy) => d.findMany(xy)),
-      [
-        "bad-length",
-        (d) => d.findMany([0, 0], new Float64Array(2)),
-        "distances is Float64Array(2), expected Float64Array(1)",
-      ],
-      [
-        "bad-length",
-        (d) => d.findMany([0, 0], [0]),
-        "distances is an array of 1, expected Float64Array(1)",
-      ],
+      ...number("options.maxDistance", (d, maxDistance) => d.findMany([0, 0], { maxDistance })),
+      ["bad-option", (d) => d.findMany([0, 0], new Float64Array(1)), "options is Float64Array(1)"],
       ["bad-option", (d) => d.findMany([0, 0], { filter: 7 }), "options.filter is 7"],
+    ],
+  },
+  nearestMany: {
+    use: (d) => d.nearestMany([0, 0]),
+    refuses: [
+      ...numbers("xy", 2, (d, xy) => d.nearestMany(xy)),
+      ...number("options.maxDistance", (d, maxDistance) => d.nearestMany([0, 0], { maxDistance })),
+      ["bad-option", (d) => d.nearestMany([0, 0], { top: "last" }), "options.top is unknown"],
     ],
   },
   kNearest: {
@@ -225,7 +228,7 @@ export const diagramCalls = {
     use: (d) => d.withinMany([0, 0], 1),
     refuses: [
       ...numbers("xy", 2, (d, xy) => d.withinMany(xy, 1)),
-      ...number("distance", (d, distance) => d.withinMany([0, 0], distance)),
+      ...number("maxDistance", (d, distance) => d.withinMany([0, 0], distance)),
       ["bad-option", (d) => d.withinMany([0, 0], 1, { filter: 7 }), "options.filter is 7"],
       ["bad-option", (d) => d.withinMany([0, 0], 1, { maxDistance: 7 }), "options.maxDistance is"],
     ],
@@ -235,8 +238,8 @@ export const diagramCalls = {
     refuses: [
       ...number("x", (d, x) => d.within(x, 0, 1)),
       ...number("y", (d, y) => d.within(0, y, 1)),
-      ...number("distance", (d, distance) => d.within(0, 0, distance)),
-      ["not-finite", (d) => d.within(0, 0, -Infinity), "distance is -Infinity"],
+      ...number("maxDistance", (d, distance) => d.within(0, 0, distance)),
+      ["not-finite", (d) => d.within(0, 0, -Infinity), "maxDistance is -Infinity"],
       ["bad-option", (d) => d.within(0, 0, 1, { filter: [] }), "options.filter is an array of 0"],
     ],
   },
@@ -245,9 +248,14 @@ export const diagramCalls = {
     refuses: [
       ...number("x", (d, x) => d.pick(x, 0)),
       ...number("y", (d, y) => d.pick(0, y)),
-      ...number("maxDistance", (d, distance) => d.pick(0, 0, distance)),
-      ["out-of-range", (d) => d.pick(0, 0, -1), "maxDistance is -1"],
-      ["bad-option", (d) => d.pick(0, 0, 1, { top: "first" }), 'options.top is the string "first"'],
+      ...number("options.maxDistance", (d, maxDistance) => d.pick(0, 0, { maxDistance })),
+      ["out-of-range", (d) => d.pick(0, 0, { maxDistance: -1 }), "options.maxDistance is -1"],
+      [
+        "bad-option",
+        (d) => d.pick(0, 0, 20),
+        "options is 20, expected { maxDistance, top, filter }",
+      ],
+      ["bad-option", (d) => d.pick(0, 0, { top: "first" }), 'options.top is the string "first"'],
       ["bad-option", (d) => d.pick(0, 0, { filter: 7 }), "options.filter is 7"],
     ],
   },
@@ -255,8 +263,8 @@ export const diagramCalls = {
     use: (d) => d.pickMany([0, 0]),
     refuses: [
       ...numbers("xy", 2, (d, xy) => d.pickMany(xy)),
-      ...number("maxDistance", (d, distance) => d.pickMany([0, 0], distance)),
-      ["out-of-range", (d) => d.pickMany([0, 0], -1), "maxDistance is -1"],
+      ...number("options.maxDistance", (d, maxDistance) => d.pickMany([0, 0], { maxDistance })),
+      ["out-of-range", (d) => d.pickMany([0, 0], { maxDistance: -1 }), "options.maxDistance is -1"],
       ["bad-option", (d) => d.pickMany([0, 0], { filter: 7 }), "options.filter is 7"],
     ],
   },
@@ -270,6 +278,7 @@ export const diagramCalls = {
       ["bad-bounds", (d) => d.search(-Infinity, 0, -Infinity, 1), "xmax of bounds is -Infinity"],
       ["bad-bounds", (d) => d.search(0, -Infinity, 1, -Infinity), "ymax of bounds is -Infinity"],
       ["bad-bounds", (d) => d.search(0, 2, 1, 1), "bounds are [0, 2, 1, 1], expected xmin <= xmax"],
+      ["bad-option", (d) => d.search(0, 0, 1, 1, { filter: 7 }), "options.filter is 7"],
     ],
   },
   neighbors: ofSite("neighbors"),

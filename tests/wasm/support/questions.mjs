@@ -91,17 +91,24 @@ export const asking = {
     },
   ],
   findMany: [
-    [fc.array(point, { maxLength: 8 }), fc.boolean()],
-    (d, m, points, withDistances) => {
-      const distances = new Float64Array(points.length);
-      const ids = withDistances ? d.findMany(points.flat(), distances) : d.findMany(points.flat());
+    [fc.array(point, { maxLength: 8 }), fc.constantFrom(-1, 0, 3, Infinity)],
+    (d, _, points, maxDistance) => {
+      const expected = points.map(([x, y]) => d.find(x, y, { maxDistance }));
+      expect([...d.findMany(points.flat(), { maxDistance })]).toEqual(expected);
+    },
+  ],
+  nearestMany: [
+    [fc.array(point, { maxLength: 8 }), fc.constantFrom(-1, 0, 3, Infinity)],
+    (d, m, points, maxDistance) => {
+      const { ids, distances } = d.nearestMany(points.flat(), { maxDistance });
       expect(ids.length).toBe(points.length);
       points.forEach(([x, y], k) => {
-        const nearest = m.sortedAt(x, y)[0];
-        expect(m.circles.get(ids[k])).toEqual(nearest);
-        if (withDistances && nearest)
-          expect(distances[k]).toBeCloseTo(distanceTo(nearest, x, y), 9);
-        if (withDistances && !nearest) expect(distances[k]).toBe(Infinity);
+        expect(d.find(x, y, { maxDistance })).toBe(ids[k]);
+        expect(d.nearest(x, y, { maxDistance })?.distance ?? Infinity).toBe(distances[k]);
+        const [nearest] = d.kNearest(x, y, 1, { maxDistance }); // exact, as `within` is
+        if (nearest === undefined) return expect([ids[k], distances[k]]).toEqual([-1, Infinity]);
+        expect(m.circles.get(ids[k])).toEqual(m.sortedAt(x, y)[0]);
+        expect(distances[k]).toBeCloseTo(distanceTo(m.circles.get(ids[k]), x, y), 9);
       });
     },
   ],
@@ -155,15 +162,15 @@ export const asking = {
   ],
   pick: [
     [point, fc.constantFrom(0, 3, Infinity), fc.constantFrom("smallest", "last")],
-    (d, m, [x, y], farthest, top) => {
-      expect(d.pick(x, y, farthest, { top })).toBe(m.pick(x, y, farthest, top));
+    (d, m, [x, y], maxDistance, top) => {
+      expect(d.pick(x, y, { maxDistance, top })).toBe(m.pick(x, y, maxDistance, top));
     },
   ],
   pickMany: [
     [fc.array(point, { maxLength: 20 }), fc.constantFrom(0, 3, Infinity)],
-    (d, _, points, farthest) => {
-      const expected = points.map(([x, y]) => d.pick(x, y, farthest));
-      expect([...d.pickMany(points.flat(), farthest)]).toEqual(expected);
+    (d, _, points, maxDistance) => {
+      const expected = points.map(([x, y]) => d.pick(x, y, { maxDistance }));
+      expect([...d.pickMany(points.flat(), { maxDistance })]).toEqual(expected);
     },
   ],
   search: [

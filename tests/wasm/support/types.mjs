@@ -18,7 +18,8 @@ const diagram: Diagram = Diagram.from(
   cities, (d) => d.lon, (d, i, all) => d.lat + i, (d) => Math.sqrt(d.people));
 const site: Site = diagram.site(0);
 const nearest: { id: number; distance: number } | null = diagram.nearest(site.x, site.y);
-const ids: Int32Array = diagram.findMany(new Float64Array(4), new Float64Array(2));
+const ids: Int32Array = diagram.findMany(new Float64Array(4), { maxDistance: 2 });
+const far: Float64Array = diagram.nearestMany([0, 0], { filter: () => 1 }).distances;
 const code: ErrorCode | undefined = new ApolloniusError("not-finite", "x").code;
 // @ts-expect-error: no such code
 const wrong: ErrorCode = "wrong";
@@ -50,16 +51,15 @@ const filter = (id: number) => id > 3;
 diagram.find(0, 0, { filter });
 diagram.nearest(0, 0, { filter })?.distance.toFixed();
 diagram.findMany([0, 0], { filter });
-diagram.findMany([0, 0], undefined, { filter });
 diagram.pick(0, 0, { filter, top: "last" });
-diagram.pick(0, 0, 7, { filter });
-const picked: Int32Array = diagram.pickMany([0, 0], undefined, { top: "smallest" });
+diagram.pick(0, 0, { maxDistance: 7, filter });
+const picked: Int32Array = diagram.pickMany([0, 0], { top: "smallest" });
 // @ts-expect-error: only one of them
 diagram.findMany([0, 0], { filter }, { filter });
 // @ts-expect-error: no such option
 diagram.find(0, 0, { fitler: filter });
-// @ts-expect-error: distances are doubles
-diagram.findMany([0, 0], new Float32Array(1));
+// @ts-expect-error: a limit is an option
+diagram.pick(0, 0, 20);
 
 const { signal } = new AbortController();
 const early: Promise<Diagram> = Diagram.fromAsync([[1, 2]], { signal });

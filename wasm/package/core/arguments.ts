@@ -328,38 +328,23 @@ export function checkedTolerance(tolerance: unknown, usual: () => number): numbe
   return tolerance;
 }
 
-/** The array that `findMany` fills with distances, one element a point; undefined for none. */
-export function checkedDistances(
-  distances: Float64Array | undefined,
-  count: number,
-): Float64Array | undefined {
-  const out = plainView(distances) as Float64Array | undefined;
-  if (out === undefined) return undefined;
-  if (typedArrayKind(out) === "Float64Array" && out.length === count && !isDetached(out))
-    return out;
-  throw new ApolloniusError(
-    "bad-length",
-    `distances is ${described(out)}, expected Float64Array(${count}), one element a point`,
-  );
-}
-
 // --- Options as callers give them: an unknown name is probably misspelt --------------------------
 
 /** Throws "bad-option" unless these are options, or nothing, and have no other names than these. */
 export function checkOptions(options: unknown, ...names: string[]): void {
   if (options === undefined || options === null) return;
-  const expected = `expected { ${names.join(", ")} }`;
-  const what = described(options);
-  if (what !== "an object")
-    throw new ApolloniusError("bad-option", `options is ${what}, ${expected}`);
-  for (const name of Object.keys(options))
-    if (!names.includes(name))
-      throw new ApolloniusError("bad-option", `options.${name} is unknown, ${expected}`);
+  if (typeof options !== "object" || Array.isArray(options) || ArrayBuffer.isView(options))
+    throw badOptions(`options is ${described(options)}`, names, typeof options === "number");
+  for (const name in options)
+    if (!names.includes(name)) throw badOptions(`options.${name} is unknown`, names);
 }
 
-/** What may stand before options, and the options, which may stand in its place. */
-export function optionsLast(given: readonly unknown[]): [unknown, unknown] {
-  const [first, last] = given;
-  const isInPlace = described(first) === "an object" && !("byteLength" in (first as object));
-  return last === undefined && isInPlace ? [undefined, first] : [first, last];
+/** A number where options stand is a radius for d3-quadtree, and for d3-delaunay a start. */
+function badOptions(what: string, names: string[], isNumber = false): ApolloniusError {
+  const hint =
+    isNumber && names.includes("maxDistance")
+      ? ": { maxDistance: 20 } is a limit, as d3-quadtree's radius; a start, as d3-delaunay's, " +
+        "is not needed"
+      : "";
+  return new ApolloniusError("bad-option", `${what}, expected { ${names.join(", ")} }${hint}`);
 }

@@ -16,28 +16,34 @@ import {
   disorderedBounds,
 } from "./arguments.js";
 import { buildOrDispose } from "./building.js";
-import { DynamicDiagram } from "./dynamic_diagram.js";
-import { insert, insertMany, update, updateMany } from "./edits.js";
+import { filtering } from "./filters.js";
 import { nativeOf, planarOf } from "./inner.js";
 import { listed } from "./inspection.js";
 import { fillOrDispose } from "./native/lifetime.js";
 import { runningModule } from "./native/module.js";
-import { farthest, find, findMany, kNearest, nearest, pick, pickMany, within } from "./queries.js";
-import { ofOne, plane } from "./space.js";
+import { checkedFilterOptions } from "./queries.js";
+import { plane } from "./space.js";
+import { SurfaceDiagram } from "./surface_diagram.js";
 import { type Triangulation, triangulationOf } from "./triangulation.js";
 import type {
   BuildOptions,
   DiagramOptions,
   FilterOptions,
-  FindManyArguments,
   ListedSite,
-  NearbyOptions,
-  PickArguments,
   Site,
   Sites,
   SnapshotOptions,
   Vertices,
 } from "./types.js";
+
+/** The names of the plane. */
+interface Plane {
+  place: [x: number, y: number];
+  places: [xy: ArrayLike<number>];
+  sites: [xyr: ArrayLike<number>];
+  site: Site;
+  listed: ListedSite;
+}
 
 /**
  * The additively weighted Voronoi diagram of circles: exact and fully dynamic.
@@ -59,7 +65,7 @@ import type {
  * Algorithm: Karavelas and Yvinec, "Dynamic Additively Weighted Voronoi Diagrams in 2D" (the
  * paper).
  */
-export class Diagram extends DynamicDiagram<ListedSite> {
+export class Diagram extends SurfaceDiagram<Plane> {
   /**
    * A diagram of flat x, y, r triples; their ids are 0, 1, 2, … in input order. Cost: expected O(n
    * log n). Throws "not-finite", "out-of-range", "bad-length" (no multiple of 3), "too-large" (more
@@ -132,48 +138,6 @@ export class Diagram extends DynamicDiagram<ListedSite> {
 
   // --- Sites -------------------------------------------------------------------------------------
 
-  /**
-   * Adds a site (paper, section 3) and returns its id: stable while the site lives; ids of removed
-   * sites are used again. Duplicates and covered circles are legal: they are hidden sites. Cost:
-   * one location and O(size of the change). Throws "not-finite", "out-of-range".
-   */
-  insert(x: number, y: number, r: number = 0): number {
-    return insert(planarOf(this, true), x, y, r);
-  }
-
-  /**
-   * Adds flat x, y, r triples, all or none, much faster than a loop; returns their ids in input
-   * order. Cost: expected O(m log n) for m triples. Throws as `insert`, and "bad-length" (no
-   * multiple of 3), "too-large" (more than 2^29 triples).
-   */
-  insertMany(xyr: ArrayLike<number>): Uint32Array {
-    return insertMany(planarOf(this, true), xyr);
-  }
-
-  /**
-   * Moves and/or resizes a site, which keeps its id; without r it keeps its radius. Cost: as remove
-   * and insert. Throws "unknown-site", "not-finite", "out-of-range".
-   */
-  update(id: number, x: number, y: number, r?: number): this {
-    update(planarOf(this, true), id, x, y, r);
-    return this;
-  }
-
-  /**
-   * Updates site ids[k] to the k-th x, y, r triple, all or none. Cost: as `update` for each, but no
-   * more than building takes where many sites move far. Throws as `update`, and "bad-length" unless
-   * there is one triple an id.
-   */
-  updateMany(ids: ArrayLike<number>, xyr: ArrayLike<number>): this {
-    updateMany(planarOf(this, true), ids, xyr);
-    return this;
-  }
-
-  /** Centre and radius of a site, exactly as given. O(1). Throws "unknown-site". */
-  site(id: number): Site {
-    return ofOne(nativeOf(this), id, (native) => native.site(id));
-  }
-
   /** All sites, hidden ones too, as typed arrays: `updateMany(ids, xyr)` moves them all. O(n). */
   sites(): Sites {
     return nativeOf(this).sites();
@@ -189,85 +153,20 @@ export class Diagram extends DynamicDiagram<ListedSite> {
   // --- The nearest sites -------------------------------------------------------------------------
 
   /**
-   * The nearest site of a point, -1 if the diagram is empty; with `filter` the nearest that passes,
-   * hidden ones too. Exact; ties go to the larger r, then x, then y. Cost: one location (paper,
-   * section 4), with a filter as kNearest. Throws "not-finite", "out-of-range", "bad-option".
-   */
-  find(x: number, y: number, options?: FilterOptions): number {
-    return find(planarOf(this), x, y, options);
-  }
-
-  /**
-   * `find` with the (rounded) distance |p - c| - r, negative inside the circle; null if no site is
-   * found. Cost, errors: as find.
-   */
-  nearest(x: number, y: number, options?: FilterOptions): { id: number; distance: number } | null {
-    return nearest(planarOf(this), x, y, options);
-  }
-
-  /**
-   * `find` for flat x, y pairs; many of them much faster than in a loop. With `distances` (one
-   * element a point) it also fills in the distances, Infinity if no site is found. Cost: m
-   * locations for m points; with a filter: `FilterOptions`. Throws as `find`, and "bad-length".
-   */
-  findMany(xy: ArrayLike<number>, ...how: FindManyArguments): Int32Array {
-    return findMany(planarOf(this), xy, how);
-  }
-
-  /**
-   * The k nearest sites of a point, hidden ones too, nearest first; all sites if there are fewer.
-   * `maxDistance` and `filter` leave some out. Exact; ties go to the larger r, then x, then y,
-   * identical circles ascend by id. Cost: one location and O(m log m), m the number of
-   * neighbours of the sites looked at, whatever n is. Throws "not-finite", "out-of-range" (also for
-   * a k that is no whole number from 0 on; Infinity means all), "bad-option".
-   */
-  kNearest(x: number, y: number, k: number, options?: NearbyOptions): Uint32Array {
-    return kNearest(planarOf(this), x, y, k, options);
-  }
-
-  /**
-   * All sites whose distance |p - c| - r to a point is at most `distance`, hidden ones too, nearest
-   * first: with 0 every circle that contains the point, negative for circles that contain it that
-   * deep. `filter` leaves some out. Exact, sites at that very distance included. Cost: as kNearest.
-   * Throws "not-finite", "out-of-range", "bad-option".
-   */
-  within(x: number, y: number, distance: number, options?: FilterOptions): Uint32Array {
-    return within(planarOf(this), x, y, distance, options);
-  }
-
-  /**
-   * The circle under a pointer. Of the circles that contain the point, rim included, it is the one
-   * on top: the smallest (of equally large ones the nearest), or with `top: "last"` the one with
-   * the largest id. If none contains the point, it is the nearest site within `maxDistance`
-   * (default: Infinity; 0 for none), else -1. `filter` leaves some out. Exact. Cost: one location
-   * and O(m log m), m the number of neighbours of the circles that contain the point or are asked
-   * about. Throws "not-finite", "out-of-range", "bad-option".
-   */
-  pick(x: number, y: number, ...how: PickArguments): number {
-    return pick(planarOf(this), x, y, how);
-  }
-
-  /** `pick` for flat x, y pairs. Filter, cost, errors: as findMany, for `pick`. */
-  pickMany(xy: ArrayLike<number>, ...how: PickArguments): Int32Array {
-    return pickMany(planarOf(this), xy, how);
-  }
-
-  /**
-   * The site with the largest |p - c| + r, and that (rounded) distance: a circle about the point
-   * with that radius holds all circles. null if the diagram is empty. Exact; ties go to the larger
-   * r, then x, then y. Cost: O(length of the hull). Throws "not-finite", "out-of-range".
-   */
-  farthest(x: number, y: number): { id: number; distance: number } | null {
-    return farthest(planarOf(this), x, y);
-  }
-
-  /**
    * All sites whose circles meet a rectangle, a segment or a point, hidden ones too, ascending;
-   * rims and the border count, circles of negative r meet none. Exact. Throws "bad-bounds". Cost:
-   * for sites spread evenly O(m log m), m the number of sites found and of those around the border.
+   * rims and the border count, circles of negative r meet none. Exact. Throws "bad-bounds",
+   * "bad-option". Cost: for sites spread evenly O(m log m), m the number of sites found and of
+   * those around the border.
    */
-  search(xmin: number, ymin: number, xmax: number, ymax: number): Uint32Array {
-    const native = nativeOf(this);
+  search(
+    xmin: number,
+    ymin: number,
+    xmax: number,
+    ymax: number,
+    options?: FilterOptions,
+  ): Uint32Array {
+    const { native, filters } = planarOf(this);
+    const filter = checkedFilterOptions(options);
     // Infinity means no limit on that side: no centre is farther than 1e100.
     const limits = [-Infinity, -Infinity, Infinity, Infinity];
     const finite = [xmin, ymin, xmax, ymax].map((value: unknown, k) =>
@@ -276,7 +175,8 @@ export class Diagram extends DynamicDiagram<ListedSite> {
     const bounds = checkedNumbersOfBounds(finite);
     const [left, bottom, right, top] = bounds;
     if (left > right || bottom > top) throw disorderedBounds(bounds, "<=");
-    return native.search(left, bottom, right, top);
+    const found = native.search(left, bottom, right, top);
+    return filter === undefined ? found : filtering(filters, () => found.filter(filter));
   }
 
   // --- The graph ---------------------------------------------------------------------------------

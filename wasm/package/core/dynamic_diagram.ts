@@ -4,11 +4,11 @@ import { type Inner, innerOf, provideInner } from "./inner.js";
 import { kInspect, showContent, summary } from "./inspection.js";
 import { Ballast, destroy, keep } from "./native/lifetime.js";
 import type { AnyNative } from "./native/module.js";
-import { kNearestMany, validate, withinMany } from "./queries.js";
+import { validate } from "./queries.js";
 import { ofOne, type Space } from "./space.js";
-import type { Edges, NearbyLists, NearbyManyOptions, WithinManyOptions } from "./types.js";
+import type { Edges } from "./types.js";
 
-/** What the diagrams of the plane and of the sphere have in common. */
+/** What the diagrams of the plane and of the sphere have in common, but for places. */
 export abstract class DynamicDiagram<Listed> implements Disposable {
   #inner: Inner | null;
 
@@ -124,42 +124,6 @@ export abstract class DynamicDiagram<Listed> implements Disposable {
   /** All Voronoi edges. O(n). */
   edges(): Edges {
     return innerOf(this).native.edges();
-  }
-
-  // --- The nearest sites -------------------------------------------------------------------------
-
-  /**
-   * `kNearest` for many points, flat x, y or longitude, latitude pairs: one list a point, as rows
-   * of a sparse matrix. With `distances: true` it has their distances. Cost: less than single
-   * calls, as points are visited in the order of their places; with a filter as single calls.
-   * Throws as `kNearest`, and "bad-length".
-   */
-  kNearestMany(
-    points: ArrayLike<number>,
-    k: number,
-    options: NearbyManyOptions & { distances: true },
-  ): Required<NearbyLists>;
-  kNearestMany(points: ArrayLike<number>, k: number, options?: NearbyManyOptions): NearbyLists;
-  kNearestMany(points: ArrayLike<number>, k: number, options?: NearbyManyOptions): NearbyLists {
-    return kNearestMany(innerOf(this), points, k, options);
-  }
-
-  /**
-   * `within` for many points, flat x, y or longitude, latitude pairs: lists as of `kNearestMany`.
-   * Cost: as that. Throws as `within`, and "bad-length".
-   */
-  withinMany(
-    points: ArrayLike<number>,
-    distance: number,
-    options: WithinManyOptions & { distances: true },
-  ): Required<NearbyLists>;
-  withinMany(points: ArrayLike<number>, distance: number, options?: WithinManyOptions): NearbyLists;
-  withinMany(
-    points: ArrayLike<number>,
-    distance: number,
-    options?: WithinManyOptions,
-  ): NearbyLists {
-    return withinMany(innerOf(this), points, distance, options);
   }
 
   // --- Saving and checking -----------------------------------------------------------------------

@@ -1,29 +1,25 @@
 // Searches that leave out the sites which the caller's filter does not let through: walks over the
 // sites around a point, nearest first, to those that pass.
 import { ApolloniusError } from "../errors.js";
-import { allocated, checkedDistances, checkOptions, described } from "./arguments.js";
+import { allocated, described } from "./arguments.js";
 import type { Filters, Inner } from "./inner.js";
 import type { AnyNative, NearestFirst, SphericalNearestFirst } from "./native/module.js";
-import type { FilterOptions, NearbyFilter, NearbyLists } from "./types.js";
+import type { FilterOptions, FoundSite, NearbyLists, NearestSites } from "./types.js";
+
+export type Filter = NonNullable<FilterOptions["filter"]>;
 
 export type Walk = NearestFirst | SphericalNearestFirst;
 
-export function checkedFilter(filter: unknown): NearbyFilter | undefined {
-  if (filter === undefined || typeof filter === "function") return filter as NearbyFilter;
+export function checkedFilter(filter: unknown): Filter | undefined {
+  if (filter === undefined || typeof filter === "function") return filter as Filter;
   throw new ApolloniusError(
     "bad-option",
     `options.filter is ${described(filter)}, expected a function of an id`,
   );
 }
 
-/** The filter of options that hold nothing else. */
-export function filterOf(options: FilterOptions | undefined): NearbyFilter | undefined {
-  checkOptions(options, "filter");
-  return checkedFilter(options?.filter);
-}
-
 /** What `ask` says, which may call filters. */
-function filtering<Answer>(filters: Filters, ask: () => Answer): Answer {
+export function filtering<Answer>(filters: Filters, ask: () => Answer): Answer {
   ++filters.running;
   try {
     return ask();
@@ -45,7 +41,7 @@ function walking<Answer>(walk: Walk, filters: Filters, use: () => Answer): Answe
 function takeFirst(
   walk: Walk,
   most: number,
-  filter: NearbyFilter,
+  filter: Filter,
   filters: Filters,
   take: (id: number) => void,
 ): void {
@@ -61,19 +57,14 @@ function takeFirst(
 }
 
 /** The first `most` sites of a walk that the filter lets through. Ends the walk. */
-export function firstOf(
-  walk: Walk,
-  most: number,
-  filter: NearbyFilter,
-  filters: Filters,
-): Uint32Array {
+export function firstOf(walk: Walk, most: number, filter: Filter, filters: Filters): Uint32Array {
   const found: number[] = [];
   takeFirst(walk, most, filter, filters, (id) => found.push(id));
   return allocated(() => Uint32Array.from(found));
 }
 
 /** A filter that is asked once a site. */
-function askedOnce(filter: NearbyFilter): NearbyFilter {
+function askedOnce(filter: Filter): Filter {
   const said: boolean[] = [];
   return (id) => (said[id] ??= Boolean(filter(id)));
 }
@@ -81,7 +72,7 @@ function askedOnce(filter: NearbyFilter): NearbyFilter {
 /** What firstOf() says at each of many points. The filter is asked once a site. */
 export function listsThrough(
   { filters }: Inner,
-  filter: NearbyFilter,
+  filter: Filter,
   given: ArrayLike<number>,
   isFar: boolean,
   most: number,
@@ -107,24 +98,18 @@ export function listsThrough(
     : { ids, starts };
 }
 
-/** A site and how far it is from the point. */
-export interface Found {
-  id: number;
-  distance: number;
-}
-
 /**
  * The first site of a walk that passes; with `isAbove`, of those that contain the point the first
  * that no other is above. null if none passes. Ends the walk.
  */
 export function passing(
   walk: Walk,
-  filter: NearbyFilter,
+  filter: Filter,
   filters: Filters,
   isAbove?: (id: number, best: number) => boolean,
-): Found | null {
+): FoundSite | null {
   return walking(walk, filters, () => {
-    let best: Found | null = null;
+    let best: FoundSite | null = null;
     for (let id = walk.next(); id !== -1; id = walk.next()) {
       const distance = walk.distance(); // of the right sign
       if (best && distance > 0) break;
@@ -136,12 +121,46 @@ export function passing(
   });
 }
 
+/** What `use` makes of a diagram of the sites that pass, and of their ids in the given one. */
+function amongPassing<Native extends AnyNative, Answer>(
+  inner: Inner<Native>,
+  passes: Filter,
+  use: (some: Inner<Native>, chosen: Uint32Array) => Answer,
+): Answer {
+  const { ids, xyr } = inner.native.sites();
+  const chosen = ids.filter(passes);
+  const some = inner.space.empty(inner.native) as Native;
+  try {
+    some.insertMany(
+      allocated(() => xyr.filter((_, at) => passes(ids[Math.floor(at / 3)]!))),
+      chosen.slice(),
+    );
+    return use({ ...inner, native: some }, chosen);
+  } finally {
+    some.delete();
+  }
+}
+
+/** What a question about a diagram says of one of the sites that pass. */
+export function foundAmong(
+  inner: Inner,
+  filter: Filter,
+  ask: (native: AnyNative) => FoundSite,
+): FoundSite {
+  return filtering(inner.filters, () =>
+    amongPassing(inner, askedOnce(filter), ({ native }, chosen) => {
+      const { id, distance } = ask(native);
+      return { id: chosen[id] ?? -1, distance };
+    }),
+  );
+}
+
 /** How a call about many points answers: with ids, -1 for none. */
 interface Questions<Native extends AnyNative> {
   /** Without a filter; fills in the distances, if there is an array. */
   all(of: Inner<Native>, points: ArrayLike<number>, distances?: Float64Array): Int32Array;
   /** At one point with a filter. */
-  one(x: number, y: number, filter: NearbyFilter): Found | null;
+  one(x: number, y: number, filter: Filter): FoundSite | null;
 }
 
 /**
@@ -152,49 +171,37 @@ interface Questions<Native extends AnyNative> {
  */
 export function throughFilter<Native extends AnyNative>(
   inner: Inner<Native>,
-  filter: NearbyFilter,
+  filter: Filter,
   given: ArrayLike<number>,
-  distances: Float64Array | undefined,
   { all, one }: Questions<Native>,
-): Int32Array {
-  const { native, space } = inner;
+): NearestSites {
+  const { native } = inner;
   // of its own, as the filter may change those of the caller
   const points = allocated(() => new Float64Array(given));
-  const far = distances && allocated(() => new Float64Array(points.length / 2));
-  const found = all(inner, points, far);
+  const distances = allocated(() => new Float64Array(points.length / 2));
+  const ids = all(inner, points, distances);
   const passes = askedOnce(filter);
   let looks = native.size();
   filtering(inner.filters, () => {
-    for (let k = 0; k < found.length; ++k) {
-      if (found[k] === -1 || passes(found[k]!)) continue;
+    for (let k = 0; k < ids.length; ++k) {
+      if (ids[k] === -1 || passes(ids[k]!)) continue;
       if (looks <= 0) {
-        const { ids, xyr } = native.sites();
-        const chosen = ids.filter(passes);
-        const some = space.empty(native) as Native;
-        try {
-          some.insertMany(
-            allocated(() => xyr.filter((_, at) => passes(ids[Math.floor(at / 3)]!))),
-            chosen.slice(),
-          );
-          const rest = all({ ...inner, native: some }, points.subarray(2 * k), far?.subarray(k));
-          found.set(
+        amongPassing(inner, passes, (some, chosen) => {
+          const rest = all(some, points.subarray(2 * k), distances.subarray(k));
+          ids.set(
             rest.map((place) => chosen[place] ?? -1),
             k,
           );
-        } finally {
-          some.delete();
-        }
+        });
         break;
       }
       const next = one(points[2 * k]!, points[2 * k + 1]!, (id) => {
         --looks;
         return passes(id);
       });
-      found[k] = next?.id ?? -1;
-      if (far) far[k] = next?.distance ?? Infinity;
+      ids[k] = next?.id ?? -1;
+      distances[k] = next?.distance ?? Infinity;
     }
   });
-  // checked once more: the filter may have taken its memory away
-  if (far) checkedDistances(distances, found.length)?.set(far);
-  return found;
+  return { ids, distances };
 }

@@ -4,17 +4,15 @@ import {
   allocated,
   checkedChoice,
   checkedCount,
-  checkedDistances,
   checkedNumbers,
   checkNumber,
   checkOptions,
-  optionsLast,
 } from "./arguments.js";
 import {
   checkedFilter,
-  filterOf,
+  type Filter,
   firstOf,
-  type Found,
+  foundAmong,
   listsThrough,
   passing,
   throughFilter,
@@ -25,33 +23,66 @@ import { type AnyNative, runningModule } from "./native/module.js";
 import { atPoint, checkTypes, ofItems } from "./space.js";
 import type {
   FilterOptions,
-  FindManyArguments,
-  NearbyFilter,
+  FindOptions,
+  FoundSite,
+  KNearestManyOptions,
   NearbyLists,
-  NearbyManyOptions,
-  NearbyOptions,
-  PickArguments,
+  NearestSites,
   PickOptions,
   WithinManyOptions,
 } from "./types.js";
 
+// --- Options -------------------------------------------------------------------------------------
+
+function checkedLimit(name: string, limit: unknown): number {
+  if (limit !== Infinity) checkNumber(name, limit);
+  return limit as number;
+}
+
+/** The limit of checked options: Infinity unless they say otherwise. */
+function limitOf(options: FindOptions | null | undefined): number {
+  const limit = options?.maxDistance;
+  return limit === undefined ? Infinity : checkedLimit("options.maxDistance", limit);
+}
+
+function checkedFindOptions(options: FindOptions | undefined): [number, Filter | undefined] {
+  checkOptions(options, "maxDistance", "filter");
+  return [limitOf(options), checkedFilter(options?.filter)];
+}
+
+export function checkedFilterOptions(options: FilterOptions | undefined): Filter | undefined {
+  checkOptions(options, "filter");
+  return checkedFilter(options?.filter);
+}
+
+// --- The nearest site ----------------------------------------------------------------------------
+
+function walkFrom(inner: Inner, x: number, y: number, limit: number): Walk {
+  return atPoint(inner, x, y, (native) => native.nearestFirst(x, y, limit)) as Walk;
+}
+
 /** Without the distance where nobody asks for it: on the sphere it costs as much as the search. */
-export function find(inner: Inner, x: number, y: number, options?: FilterOptions): number {
-  if (options !== undefined) return nearest(inner, x, y, options)?.id ?? -1;
-  return atPoint(inner, x, y, (native) => native.find(x, y));
-}
-
-export function nearest(inner: Inner, x: number, y: number, options?: FilterOptions): Found | null {
+export function find(inner: Inner, x: number, y: number, options: FindOptions | undefined): number {
+  if (options === undefined) return atPoint(inner, x, y, (native) => native.find(x, y));
   checkTypes(inner, x, y);
-  const filter = filterOf(options);
-  if (filter !== undefined) return passing(walkFrom(inner, x, y, Infinity), filter, inner.filters);
-  const found = atPoint(inner, x, y, (native) => native.nearest(x, y));
-  return found.id === -1 ? null : found;
+  const [limit, filter] = checkedFindOptions(options);
+  if (filter !== undefined)
+    return passing(walkFrom(inner, x, y, limit), filter, inner.filters)?.id ?? -1;
+  return limit === Infinity
+    ? atPoint(inner, x, y, (native) => native.find(x, y))
+    : atPoint(inner, x, y, (native) => native.findWithin(x, y, limit));
 }
 
-/** The site whose far side is the farthest. */
-export function farthest(inner: Inner, x: number, y: number): Found | null {
-  const found = atPoint(inner, x, y, (native) => native.farthest(x, y));
+export function nearest(
+  inner: Inner,
+  x: number,
+  y: number,
+  options: FindOptions | undefined,
+): FoundSite | null {
+  checkTypes(inner, x, y);
+  const [limit, filter] = checkedFindOptions(options);
+  if (filter !== undefined) return passing(walkFrom(inner, x, y, limit), filter, inner.filters);
+  const found = atPoint(inner, x, y, (native) => native.nearest(x, y, limit));
   return found.id === -1 ? null : found;
 }
 
@@ -59,120 +90,105 @@ export function farthest(inner: Inner, x: number, y: number): Found | null {
 const kFew = 16;
 
 /** The nearest site of each point; fills in the distances, if there is an array. */
-export function findAll(
+function findAll(
   inner: Inner,
   numbers: ArrayLike<number>,
+  limit: number,
   distances?: Float64Array,
 ): Int32Array {
   const { native } = inner;
   const ids = allocated(() => new Int32Array(numbers.length / 2));
   try {
-    if (distances === undefined && ids.length <= kFew)
+    if (distances === undefined && limit === Infinity && ids.length <= kFew)
       for (let k = 0; k < ids.length; ++k)
         ids[k] = native.find(numbers[2 * k] as number, numbers[2 * k + 1] as number);
-    else native.findMany(numbers, ids, distances ?? null);
+    else native.findMany(numbers, limit, ids, distances ?? null);
   } catch (error) {
     throw ofItems(error, inner, numbers, 2);
   }
   return ids;
 }
 
-export function findMany(
+function nearestThrough(
   inner: Inner,
-  points: ArrayLike<number>,
-  how: FindManyArguments,
-): Int32Array {
-  const numbers = checkedNumbers(inner.space.points, points, 2);
-  const [distances, options] = optionsLast(how) as [Float64Array?, FilterOptions?];
-  const filter = filterOf(options);
-  const out = checkedDistances(distances, numbers.length / 2);
-  if (filter === undefined) return findAll(inner, numbers, out);
-  return throughFilter(inner, filter, numbers, distances, {
-    all: findAll,
-    one: (x, y, passes) => passing(walkFrom(inner, x, y, Infinity), passes, inner.filters),
+  numbers: ArrayLike<number>,
+  limit: number,
+  filter: Filter,
+): NearestSites {
+  return throughFilter(inner, filter, numbers, {
+    all: (asked, some, distances) => findAll(asked, some, limit, distances),
+    one: (x, y, passes) => passing(walkFrom(inner, x, y, limit), passes, inner.filters),
   });
 }
 
-function walkFrom(inner: Inner, x: number, y: number, farthest: number): Walk {
-  return atPoint(inner, x, y, (native) => native.nearestFirst(x, y, farthest)) as Walk;
+export function findMany(
+  inner: Inner,
+  points: ArrayLike<number>,
+  options: FindOptions | undefined,
+): Int32Array {
+  const numbers = checkedNumbers(inner.space.points, points, 2);
+  const [limit, filter] = checkedFindOptions(options);
+  return filter === undefined
+    ? findAll(inner, numbers, limit)
+    : nearestThrough(inner, numbers, limit, filter).ids;
 }
 
-const orInfinity = (given: unknown): unknown => (given === undefined ? Infinity : given);
-
-function checkedMaxDistance(name: string, maxDistance: unknown): number {
-  if (maxDistance !== Infinity) checkNumber(name, maxDistance);
-  return maxDistance as number;
+export function nearestMany(
+  inner: Inner,
+  points: ArrayLike<number>,
+  options: FindOptions | undefined,
+): NearestSites {
+  const numbers = checkedNumbers(inner.space.points, points, 2);
+  const [limit, filter] = checkedFindOptions(options);
+  if (filter !== undefined) return nearestThrough(inner, numbers, limit, filter);
+  const distances = allocated(() => new Float64Array(numbers.length / 2));
+  return { ids: findAll(inner, numbers, limit, distances), distances };
 }
+
+// --- The farthest site ---------------------------------------------------------------------------
+
+/** The site whose far side is the farthest. */
+export function farthest(
+  inner: Inner,
+  x: number,
+  y: number,
+  options: FilterOptions | undefined,
+): FoundSite | null {
+  checkTypes(inner, x, y);
+  const filter = checkedFilterOptions(options);
+  const found = atPoint(inner, x, y, (native) =>
+    filter === undefined
+      ? native.farthest(x, y)
+      : foundAmong(inner, filter, (some) => some.farthest(x, y)),
+  );
+  return found.id === -1 ? null : found;
+}
+
+// --- Several sites -------------------------------------------------------------------------------
 
 export function kNearest(
   inner: Inner,
   x: number,
   y: number,
   k: number,
-  options: NearbyOptions | undefined,
+  options: FindOptions | undefined,
 ): Uint32Array {
   checkTypes(inner, x, y);
   const most = checkedCount("k", k);
-  checkOptions(options, "maxDistance", "filter");
-  const farthest = checkedMaxDistance("options.maxDistance", orInfinity(options?.maxDistance));
-  return nearby(inner, x, y, most, farthest, checkedFilter(options?.filter));
+  const [limit, filter] = checkedFindOptions(options);
+  return nearby(inner, x, y, most, limit, filter);
 }
 
 export function within(
   inner: Inner,
   x: number,
   y: number,
-  distance: number,
+  maxDistance: number,
   options: FilterOptions | undefined,
 ): Uint32Array {
   checkTypes(inner, x, y);
-  const farthest = checkedMaxDistance("distance", distance);
-  return nearby(inner, x, y, checkedCount("k", Infinity), farthest, filterOf(options));
-}
-
-export function kNearestMany(
-  inner: Inner,
-  points: ArrayLike<number>,
-  k: number,
-  options: NearbyManyOptions | undefined,
-): NearbyLists {
-  const most = checkedCount("k", k);
-  checkOptions(options, "maxDistance", "filter", "distances");
-  const farthest = checkedMaxDistance("options.maxDistance", orInfinity(options?.maxDistance));
-  return nearbyMany(inner, points, most, farthest, options);
-}
-
-export function withinMany(
-  inner: Inner,
-  points: ArrayLike<number>,
-  distance: number,
-  options: WithinManyOptions | undefined,
-): NearbyLists {
-  const farthest = checkedMaxDistance("distance", distance);
-  checkOptions(options, "filter", "distances");
-  return nearbyMany(inner, points, checkedCount("k", Infinity), farthest, options);
-}
-
-function nearbyMany(
-  inner: Inner,
-  points: ArrayLike<number>,
-  most: number,
-  farthest: number,
-  options: WithinManyOptions | undefined,
-): NearbyLists {
-  const numbers = checkedNumbers(inner.space.points, points, 2);
-  const filter = checkedFilter(options?.filter);
-  const isFar = checkedChoice("options.distances", options?.distances, [false, true]);
-  try {
-    if (filter !== undefined) {
-      const walk = (x: number, y: number) => inner.native.nearestFirst(x, y, farthest) as Walk;
-      return listsThrough(inner, filter, numbers, isFar, most, walk);
-    }
-    const { ids, starts, distances } = inner.native.kNearestMany(numbers, most, farthest, isFar);
-    return isFar ? { ids, starts, distances } : { ids, starts };
-  } catch (error) {
-    throw ofItems(error, inner, numbers, 2);
-  }
+  const limit = checkedLimit("maxDistance", maxDistance);
+  return nearby(inner, x, y, checkedCount("k", Infinity), limit, checkedFilterOptions(options));
 }
 
 function nearby(
@@ -180,77 +196,120 @@ function nearby(
   x: number,
   y: number,
   most: number,
-  farthest: number,
-  filter: NearbyFilter | undefined,
+  limit: number,
+  filter: Filter | undefined,
 ): Uint32Array {
   return filter === undefined
-    ? atPoint(inner, x, y, (native) => native.kNearest(x, y, most, farthest))
-    : firstOf(walkFrom(inner, x, y, farthest), most, filter, inner.filters);
+    ? atPoint(inner, x, y, (native) => native.kNearest(x, y, most, limit))
+    : firstOf(walkFrom(inner, x, y, limit), most, filter, inner.filters);
+}
+
+export function kNearestMany(
+  inner: Inner,
+  points: ArrayLike<number>,
+  k: number,
+  options: KNearestManyOptions | undefined,
+): NearbyLists {
+  const most = checkedCount("k", k);
+  checkOptions(options, "maxDistance", "filter", "distances");
+  return nearbyMany(inner, points, most, limitOf(options), options);
+}
+
+export function withinMany(
+  inner: Inner,
+  points: ArrayLike<number>,
+  maxDistance: number,
+  options: WithinManyOptions | undefined,
+): NearbyLists {
+  const limit = checkedLimit("maxDistance", maxDistance);
+  checkOptions(options, "filter", "distances");
+  return nearbyMany(inner, points, checkedCount("k", Infinity), limit, options);
+}
+
+function nearbyMany(
+  inner: Inner,
+  points: ArrayLike<number>,
+  most: number,
+  limit: number,
+  options: WithinManyOptions | undefined,
+): NearbyLists {
+  const numbers = checkedNumbers(inner.space.points, points, 2);
+  const filter = checkedFilter(options?.filter);
+  const isFar = checkedChoice("options.distances", options?.distances, [false, true]);
+  try {
+    if (filter !== undefined) {
+      const walk = (x: number, y: number) => inner.native.nearestFirst(x, y, limit) as Walk;
+      return listsThrough(inner, filter, numbers, isFar, most, walk);
+    }
+    const { ids, starts, distances } = inner.native.kNearestMany(numbers, most, limit, isFar);
+    return isFar ? { ids, starts, distances } : { ids, starts };
+  } catch (error) {
+    throw ofItems(error, inner, numbers, 2);
+  }
 }
 
 // --- Under a pointer -----------------------------------------------------------------------------
 
 /** The largest distance, which circle is on top, and the filter. */
-type Picking = [number, "smallest" | "last", NearbyFilter | undefined];
+type Picking = [number, "smallest" | "last", Filter | undefined];
 
-function checkedPicking(how: PickArguments): Picking {
-  const [maxDistance, options] = optionsLast(how) as [number?, PickOptions?];
-  const farthest = checkedMaxDistance("maxDistance", orInfinity(maxDistance));
-  if (farthest < 0)
+function checkedPickOptions(options: PickOptions | undefined): Picking {
+  checkOptions(options, "maxDistance", "top", "filter");
+  const limit = limitOf(options);
+  if (limit < 0)
     throw new ApolloniusError(
       "out-of-range",
-      `maxDistance is ${farthest}, expected a distance from 0 on`,
+      `options.maxDistance is ${limit}, expected a distance from 0 on`,
     );
-  checkOptions(options, "top", "filter");
   const top = checkedChoice("options.top", options?.top, ["smallest", "last"]);
-  return [farthest, top, checkedFilter(options?.filter)];
+  return [limit, top, checkedFilter(options?.filter)];
 }
 
-export function pick(inner: Inner, x: number, y: number, how: PickArguments): number {
+export function pick(inner: Inner, x: number, y: number, options: PickOptions | undefined): number {
   checkTypes(inner, x, y);
-  const picking = checkedPicking(how);
-  const [farthest, top, filter] = picking;
+  const picking = checkedPickOptions(options);
+  const [limit, top, filter] = picking;
   if (filter !== undefined) return pickThrough(inner, x, y, picking, filter)?.id ?? -1;
-  return atPoint(inner, x, y, (native) => native.pick(x, y, farthest, runningModule().Top[top]));
+  return atPoint(inner, x, y, (native) => native.pick(x, y, limit, runningModule().Top[top]));
 }
 
-export function pickMany(inner: Inner, points: ArrayLike<number>, how: PickArguments): Int32Array {
+export function pickMany(
+  inner: Inner,
+  points: ArrayLike<number>,
+  options: PickOptions | undefined,
+): Int32Array {
   const numbers = checkedNumbers(inner.space.points, points, 2);
-  const picking = checkedPicking(how);
+  const picking = checkedPickOptions(options);
   const [, , filter] = picking;
   if (filter === undefined) return pickAll(inner, numbers, picking);
-  return throughFilter(inner, filter, numbers, undefined, {
+  const found = throughFilter(inner, filter, numbers, {
     all: (asked, some) => pickAll(asked, some, picking),
     one: (x, y, passes) => pickThrough(inner, x, y, picking, passes),
   });
+  return found.ids;
 }
 
 function pickThrough(
   inner: Inner,
   x: number,
   y: number,
-  [farthest, top]: Picking,
-  filter: NearbyFilter,
-): Found | null {
+  [limit, top]: Picking,
+  filter: Filter,
+): FoundSite | null {
   const { native, filters } = inner;
-  return passing(walkFrom(inner, x, y, farthest), filter, filters, (id, best) =>
+  return passing(walkFrom(inner, x, y, limit), filter, filters, (id, best) =>
     top === "last" ? id > best : native.site(id).r < native.site(best).r,
   );
 }
 
 /** What `pick` says of each point; most are in no circle, and the nearest site is the answer. */
-function pickAll(inner: Inner, numbers: ArrayLike<number>, [farthest, top]: Picking): Int32Array {
+function pickAll(inner: Inner, numbers: ArrayLike<number>, [limit, top]: Picking): Int32Array {
   const distances = allocated(() => new Float64Array(numbers.length / 2));
-  const ids = findAll(inner, numbers, distances);
+  const ids = findAll(inner, numbers, limit, distances);
+  const onTop = runningModule().Top[top];
   distances.forEach((distance, k) => {
-    // Distances are rounded: where they are next to the limit, the exact search decides.
-    if (!(distance > 0 && distance < farthest * 0.999))
-      ids[k] = inner.native.pick(
-        numbers[2 * k]!,
-        numbers[2 * k + 1]!,
-        farthest,
-        runningModule().Top[top],
-      );
+    if (distance <= 0)
+      ids[k] = inner.native.pick(numbers[2 * k]!, numbers[2 * k + 1]!, limit, onTop);
   });
   return ids;
 }

@@ -117,25 +117,36 @@ export interface SnapshotOptions extends DiagramOptions {
   trusted?: boolean | undefined;
 }
 
-/** Tells whether the site with that id counts. It may throw; it must not change the diagram. */
-export type NearbyFilter = (id: number) => unknown;
-
-/** Options of `find`, `nearest`, `findMany` and `within`. */
+/** Options of `within`, `search` and `farthest`. */
 export interface FilterOptions {
   /**
-   * Called with ids, nearest first, until enough sites have passed; a site for which it returns a
-   * falsy value is left out. Changing the diagram inside it throws "busy".
+   * Tells whether the site with that id counts: a site for which it returns a falsy value is left
+   * out. It is called with ids, nearest first, until enough sites have passed. It may throw;
+   * changing the diagram inside it throws "busy".
    *
    * Calls about many points ask it once a site, in any order. They cost a small multiple of a
    * search for each point, or of building a diagram of all sites that pass, whichever is less.
    */
-  filter?: NearbyFilter | undefined;
+  filter?: ((id: number) => unknown) | undefined;
 }
 
-/** Options of `Diagram.kNearest`. */
-export interface NearbyOptions extends FilterOptions {
-  /** Sites that are farther are left out. Default: Infinity. */
+/** Options of `find`, `nearest`, `findMany`, `nearestMany` and `kNearest`. */
+export interface FindOptions extends FilterOptions {
+  /**
+   * Sites that are farther are left out; those at that very distance count. Negative: the point
+   * must be that deep inside. Default: Infinity.
+   */
   maxDistance?: number | undefined;
+}
+
+/** Options of `pick` and `pickMany`. */
+export interface PickOptions extends FindOptions {
+  /**
+   * Which of several circles that contain the point is on top: "smallest" (default), where large
+   * circles are drawn first (of equally large ones it is the nearest, as `find` has it); "last",
+   * the one with the largest id, where all are drawn in that order.
+   */
+  top?: "smallest" | "last" | undefined;
 }
 
 /** Options of `withinMany`. */
@@ -145,7 +156,23 @@ export interface WithinManyOptions extends FilterOptions {
 }
 
 /** Options of `kNearestMany`. */
-export interface NearbyManyOptions extends NearbyOptions, WithinManyOptions {}
+export interface KNearestManyOptions extends FindOptions, WithinManyOptions {}
+
+/** A site that a point asks for. */
+export interface FoundSite {
+  /** Of the site. */
+  id: number;
+  /** From the point to the site, rounded; to its far side, if the farthest was asked for. */
+  distance: number;
+}
+
+/** The nearest site of each of several points. */
+export interface NearestSites {
+  /** -1 where no site is found. */
+  ids: Int32Array;
+  /** Infinity where no site is found. */
+  distances: Float64Array;
+}
 
 /**
  * The sites near each of several points: those of point k are `ids.subarray(starts[k],
@@ -158,26 +185,6 @@ export interface NearbyLists {
   starts: Uint32Array;
   /** The distance of each site of `ids`, if asked for. */
   distances?: Float64Array;
-}
-
-/** What `findMany` takes after its points. */
-export type FindManyArguments =
-  | [distances?: Float64Array | undefined, options?: FilterOptions | undefined]
-  | [options?: FilterOptions | undefined];
-
-/** What `pick` and `pickMany` take after their points. */
-export type PickArguments =
-  | [maxDistance?: number | undefined, options?: PickOptions | undefined]
-  | [options?: PickOptions | undefined];
-
-/** Options of `pick` and `pickMany`. */
-export interface PickOptions extends FilterOptions {
-  /**
-   * Which of several circles that contain the point is on top: "smallest" (default), where large
-   * circles are drawn first (of equally large ones it is the nearest, as `find` has it); "last",
-   * the one with the largest id, where all are drawn in that order.
-   */
-  top?: "smallest" | "last" | undefined;
 }
 
 /** x, y. */

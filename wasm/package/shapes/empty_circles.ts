@@ -49,7 +49,7 @@ function candidatesOf(native: NativeShapes, window: NativeWindow) {
   const circles: EmptyCircle[] = [];
   for (let k = 0; k < points.length; k += 2) {
     const [x, y] = [points[k]!, points[k + 1]!];
-    const { id, distance } = native.nearest(x, y);
+    const { id, distance } = native.nearest(x, y, Infinity);
     circles.push({ x, y, r: distance, site: id });
   }
   return { circles, corners, sites };

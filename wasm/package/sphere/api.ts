@@ -24,8 +24,12 @@ export type { Accessor, Items } from "../core/accessors.js";
 export type {
   Edges,
   FilterOptions,
-  FindManyArguments,
-  NearbyFilter,
-  NearbyOptions,
+  FindOptions,
+  FoundSite,
+  KNearestManyOptions,
+  NearbyLists,
+  NearestSites,
+  PickOptions,
   Position,
+  WithinManyOptions,
 } from "../core/types.js";

@@ -7,29 +7,12 @@ import {
   checkOptions,
 } from "../core/arguments.js";
 import { buildOrDispose } from "../core/building.js";
-import { DynamicDiagram } from "../core/dynamic_diagram.js";
-import { insert, insertMany, update, updateMany } from "../core/edits.js";
 import { type Inner, innerOf, wrongReceiver } from "../core/inner.js";
 import { fillOrDispose } from "../core/native/lifetime.js";
 import { type NativeSphericalDiagram, runningModule } from "../core/native/module.js";
-import {
-  farthest,
-  find,
-  findMany,
-  kNearest,
-  nearest,
-  pick,
-  pickMany,
-  within,
-} from "../core/queries.js";
-import { atPoint, atSite, ofOne, withSite } from "../core/space.js";
-import type {
-  FilterOptions,
-  FindManyArguments,
-  NearbyOptions,
-  PickArguments,
-  Position,
-} from "../core/types.js";
+import { atPoint, atSite, withSite } from "../core/space.js";
+import { SurfaceDiagram } from "../core/surface_diagram.js";
+import type { Position } from "../core/types.js";
 import {
   type CellsCollection,
   checkedProperties,
@@ -130,6 +113,15 @@ function polygonsOf(
   return withDistances(distances, (list) => native.cellPolygons(list, tolerance, isCut));
 }
 
+/** The names of the sphere. */
+interface Sphere {
+  place: [lon: number, lat: number];
+  places: [lonLat: ArrayLike<number>];
+  sites: [lonLatR: ArrayLike<number>];
+  site: SphericalSite;
+  listed: ListedSphericalSite;
+}
+
 /**
  * The additively weighted Voronoi diagram of the sphere, fully dynamic: for maps.
  *
@@ -146,7 +138,7 @@ function polygonsOf(
  * every call throws "disposed". Every call that needs memory can throw "out-of-memory". Ids, hidden
  * sites and what is returned are as of `Diagram`.
  */
-export class SphericalDiagram extends DynamicDiagram<ListedSphericalSite> {
+export class SphericalDiagram extends SurfaceDiagram<Sphere> {
   /**
    * A diagram of flat longitude, latitude, r triples; their ids are 0, 1, 2, … in input order.
    * Cost: expected O(n log n). Throws "not-finite", "out-of-range" (a latitude, weight or radius),
@@ -235,48 +227,6 @@ export class SphericalDiagram extends DynamicDiagram<ListedSphericalSite> {
   }
 
   /**
-   * Adds a site and returns its id. Cost: one location and O(size of the change); once in n
-   * insertions, and when the number of sites has doubled, that of building. Throws "not-finite",
-   * "out-of-range".
-   */
-  insert(lon: number, lat: number, r: number = 0): number {
-    return insert(sphericalOf(this, true), lon, lat, r);
-  }
-
-  /**
-   * Adds flat longitude, latitude, r triples, all or none; returns their ids in input order. Cost:
-   * expected O(m log n) for m triples, and that of building as for `insert`. Throws as `insert`,
-   * and "bad-length", "too-large".
-   */
-  insertMany(lonLatR: ArrayLike<number>): Uint32Array {
-    return insertMany(sphericalOf(this, true), lonLatR);
-  }
-
-  /**
-   * Moves and/or reweights a site, which keeps its id; without r it keeps its weight. Cost: as
-   * remove and insert. Throws "unknown-site", "not-finite", "out-of-range".
-   */
-  update(id: number, lon: number, lat: number, r?: number): this {
-    update(sphericalOf(this, true), id, lon, lat, r);
-    return this;
-  }
-
-  /**
-   * Updates site ids[k] to the k-th longitude, latitude, r triple, all or none. Cost: as `update`
-   * for each, or that of building. Throws as `update`, and "bad-length" unless there is one triple
-   * an id.
-   */
-  updateMany(ids: ArrayLike<number>, lonLatR: ArrayLike<number>): this {
-    updateMany(sphericalOf(this, true), ids, lonLatR);
-    return this;
-  }
-
-  /** Centre and weight of a site, exactly as given. O(1). Throws "unknown-site". */
-  site(id: number): SphericalSite {
-    return ofOne(sphericalOf(this).native, id, (native) => native.site(id));
-  }
-
-  /**
    * All sites, hidden ones too, as typed arrays: `updateMany(ids, lonLatR)` moves them all. O(n).
    */
   sites(): SphericalSites {
@@ -294,80 +244,6 @@ export class SphericalDiagram extends DynamicDiagram<ListedSphericalSite> {
       const [lon, lat, r] = [lonLatR[3 * k]!, lonLatR[3 * k + 1]!, lonLatR[3 * k + 2]!];
       yield { id: ids[k]!, lon, lat, r, hidden: hidden[k] === 1 };
     }
-  }
-
-  // --- The nearest sites -------------------------------------------------------------------------
-
-  /**
-   * The nearest site of a point, -1 if the diagram is empty; with `filter` the nearest that passes,
-   * hidden ones too. Cost: one location; with a filter as kNearest. Throws "not-finite",
-   * "out-of-range", "bad-option".
-   */
-  find(lon: number, lat: number, options?: FilterOptions): number {
-    return find(sphericalOf(this), lon, lat, options);
-  }
-
-  /**
-   * `find` with the distance, negative within r of the centre; null if no site is found. Cost,
-   * errors: as find.
-   */
-  nearest(
-    lon: number,
-    lat: number,
-    options?: FilterOptions,
-  ): { id: number; distance: number } | null {
-    return nearest(sphericalOf(this), lon, lat, options);
-  }
-
-  /**
-   * The site with the largest distance to its far side, and that distance: the way along a great
-   * circle to its centre, plus r. null if the diagram is empty. Of equally far sites, any. Cost:
-   * one location. Throws "not-finite", "out-of-range".
-   */
-  farthest(lon: number, lat: number): { id: number; distance: number } | null {
-    return farthest(sphericalOf(this), lon, lat);
-  }
-
-  /**
-   * `find` for flat longitude, latitude pairs. With `distances` (one element a point) it also fills
-   * in the distances, Infinity if no site is found. Cost: m locations for m points; with a filter
-   * as Diagram.findMany. Throws as `find`, and "bad-length".
-   */
-  findMany(lonLat: ArrayLike<number>, ...how: FindManyArguments): Int32Array {
-    return findMany(sphericalOf(this), lonLat, how);
-  }
-
-  /**
-   * The k nearest sites of a point, hidden ones too, nearest first; all sites if there are fewer.
-   * `maxDistance` and `filter` leave some out. Cost: one location and O(m log m), m the number of
-   * neighbours of the sites looked at. Throws "not-finite", "out-of-range", "bad-option".
-   */
-  kNearest(lon: number, lat: number, k: number, options?: NearbyOptions): Uint32Array {
-    return kNearest(sphericalOf(this), lon, lat, k, options);
-  }
-
-  /**
-   * All sites whose distance to a point is at most `distance`, hidden ones too, nearest first: with
-   * 0 every site whose weight reaches to the point. `filter` leaves some out. Cost, errors: as
-   * kNearest.
-   */
-  within(lon: number, lat: number, distance: number, options?: FilterOptions): Uint32Array {
-    return within(sphericalOf(this), lon, lat, distance, options);
-  }
-
-  /**
-   * The site under a pointer: of those that contain the point, at a distance of at most 0, the one
-   * that `top` says; else the nearest, if it is not farther than `maxDistance` (default: Infinity);
-   * else -1. `filter` leaves some out. Cost: as kNearest, for the sites that contain the point and
-   * one more. Throws as `find`; "out-of-range" also for a negative `maxDistance`.
-   */
-  pick(lon: number, lat: number, ...how: PickArguments): number {
-    return pick(sphericalOf(this), lon, lat, how);
-  }
-
-  /** `pick` for flat longitude, latitude pairs. Filter, cost, errors: as findMany, for `pick`. */
-  pickMany(lonLat: ArrayLike<number>, ...how: PickArguments): Int32Array {
-    return pickMany(sphericalOf(this), lonLat, how);
   }
 
   // --- The graph ---------------------------------------------------------------------------------

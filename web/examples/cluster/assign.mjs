@@ -7,11 +7,10 @@ export async function assign({ input, format, distances, snapshot, ...range }, c
   const { read, encode } = formats[format];
   const xy = await read(path.resolve(context.folder, input), range);
   return context.diagram.use(snapshot, (diagram) => {
-    const found = distances ? new Float64Array(xy.length / 2) : undefined;
     const start = performance.now();
-    const ids = diagram.findMany(xy, found);
+    const found = distances ? diagram.nearestMany(xy) : { ids: diagram.findMany(xy) };
     context.seconds += (performance.now() - start) / 1000;
-    context.items += ids.length;
-    return encode(ids, found);
+    context.items += found.ids.length;
+    return encode(found.ids, found.distances);
   });
 }

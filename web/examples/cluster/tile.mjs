@@ -55,15 +55,14 @@ export function lackOf(diagram, window, known, largest) {
   if (isAll || largest === -Infinity) return -Infinity; // there are no others
   if (diagram.size === 0) return Infinity;
   const xy = borderOf(window);
-  const distances = new Float64Array(xy.length / 2);
-  const nearest = new Set(diagram.findMany(xy, distances));
+  const { ids, distances } = diagram.nearestMany(xy);
   const lack = distances.reduce(
     (most, distance, k) =>
       Math.max(most, distance + largest - inside(known, xy[2 * k], xy[2 * k + 1])),
     -Infinity,
   );
   let reach = 0;
-  for (const id of nearest) {
+  for (const id of new Set(ids)) {
     const { x, y, r } = diagram.site(id);
     reach = Math.max(reach, Math.abs(x) + Math.abs(y) + Math.abs(r));
   }

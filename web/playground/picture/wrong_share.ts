@@ -17,10 +17,8 @@ export function wrongShare(sites: Sites, view: View) {
     xy[2 * k] = view.toWorldX(((k % columns) + 0.5) * kStep);
     xy[2 * k + 1] = view.toWorldY((Math.floor(k / columns) + 0.5) * kStep);
   }
-  const toCentre = new Float64Array(count);
-  const toCircle = new Float64Array(count);
-  const picked = sites.diagram.findMany(xy, toCentre);
-  const nearest = truth.diagram.findMany(xy, toCircle);
+  const { ids: picked, distances: toCentre } = sites.diagram.nearestMany(xy);
+  const { ids: nearest, distances: toCircle } = truth.diagram.nearestMany(xy);
   let wrong = 0;
   for (let k = 0; k < count; k++) {
     const excess = toCentre[k] - sites.site(picked[k]).r - toCircle[k];
