@@ -153,9 +153,9 @@ test.each([
     (_, away) => {
       const xyr = new Float64Array(6);
       return new Diagram(xyr, {
-        get location() {
+        get r() {
           away(xyr);
-          return "walk";
+          return undefined;
         },
       });
     },
@@ -165,9 +165,9 @@ test.each([
     (d, away) => {
       const bytes = d.toBytes();
       return Diagram.fromBytes(bytes, {
-        get location() {
+        get trusted() {
           away(bytes);
-          return "walk";
+          return false;
         },
       });
     },

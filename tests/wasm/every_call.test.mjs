@@ -160,9 +160,11 @@ const changing = {
  */
 const making = {
   constructor: [
-    [circles(0, 12), fc.constantFrom("hierarchy", "walk")],
-    (all, _, given, location) => {
-      begin(all, new Diagram(given.flat(), { location }), given);
+    [circles(0, 12), fc.constantFrom(undefined, -1, 0, 2)],
+    (all, _, given, r) => {
+      const numbers = r === undefined ? given.flat() : given.flatMap(([x, y]) => [x, y]);
+      const circles = given.map(([x, y, own]) => [x, y, r ?? own]);
+      begin(all, new Diagram(numbers, { r }), circles);
     },
   ],
   from: [

@@ -115,8 +115,8 @@ test.each(["radius", "size", "weight"])("an item with a %s and no r is refused",
   const refused = expect.objectContaining({
     code: "bad-option",
     message:
-      `item 1 has a ${name} and no r: give (d) => d.${name} as third accessor, or two accessors ` +
-      "for points",
+      `item 1 has a ${name} and no r: give (d) => d.${name} as third accessor, or the option ` +
+      "{ r: 0 } for points",
   });
   for (const one of [
     item,

@@ -79,7 +79,17 @@ test("accessors, iterables, options and small sets", async () => {
   expect(await built(new Set(few))).toEqual(expected);
   expect(await built(few.map(({ x, y, r }) => [x, y, r]))).toEqual(expected);
   const accessors = ["x", "y", "r"].map((name) => (_, index, all) => all[index][name]);
-  expect(await built(few, ...accessors, { location: "walk" })).toEqual(expected);
+  expect(await built(few, ...accessors, {})).toEqual(expected);
+  const flat = few.flatMap(({ x, y, r }) => [x, y, r]);
+  for (const numbers of [flat, Float64Array.from(flat)])
+    expect(await built(numbers, {})).toEqual(expected);
+  const points = graph(Diagram.from(few, { r: 3 }));
+  const pairs = few.flatMap(({ x, y }) => [x, y]);
+  expect(graph(new Diagram(pairs, { r: 3 }))).toEqual(points);
+  expect(await built(few, { r: 3 })).toEqual(points);
+  expect(await built(Float32Array.from(pairs), { r: 3 })).toEqual(
+    graph(new Diagram(Float32Array.from(pairs), { r: 3 })),
+  );
   for (const count of [0, 1, 2])
     expect(await built(few.slice(0, count))).toEqual(graph(Diagram.from(few.slice(0, count))));
 });
@@ -88,7 +98,7 @@ test("options may come behind the items, or behind accessors for x and y", async
   const few = items.slice(0, 100);
   const expected = graph(Diagram.from(few));
   const progress = [];
-  const options = { location: "walk", onProgress: (done) => progress.push(done) };
+  const options = { onProgress: (done) => progress.push(done) };
   expect(graph(await Diagram.fromAsync(few, options))).toEqual(expected);
   expect(progress.at(-1)).toBe(1);
   for (const none of [{}, undefined])
@@ -111,7 +121,7 @@ test("with two accessors, points", async () => {
   const diagram = await Diagram.fromAsync(items, ...accessors);
   expect(isSame(diagram, Diagram.from(items, ...accessors))).toBe(true);
   expect(diagram.site(7)).toEqual({ ...items[7], r: 0 });
-  const none = [undefined, { location: "walk" }];
+  const none = [undefined, {}];
   expect(graph(await Diagram.fromAsync(items.slice(0, 50), ...accessors, ...none))).toEqual(
     graph(Diagram.from(items.slice(0, 50), ...accessors)),
   );
@@ -152,7 +162,8 @@ test("what is refused, named", async () => {
   expect(await refused(Diagram.fromAsync(items, 7))).toMatch("bad-option: x is 7");
   expect(await refused(Diagram.fromAsync(items, { signal: 7 }))).toMatch("options.signal is 7");
   expect(await refused(Diagram.fromAsync(items, { sinal: 7 }))).toMatch("options.sinal is unknown");
-  expect(await refused(Diagram.fromAsync(items, { location: 7 }))).toMatch("options.location is 7");
+  expect(await refused(Diagram.fromAsync(items, { r: "7" }))).toMatch("options.r is the string");
+  expect(await refused(Diagram.fromAsync([0, 1, 2, 0, NaN, 2]))).toMatch("xyr[4] is NaN");
   // They come last.
   expect(await refused(Diagram.fromAsync(items, {}, () => 1))).toMatch("options are not last");
   expect(await refused(Diagram.fromAsync(items, {}, {}))).toMatch("options are not last");

@@ -180,7 +180,7 @@ const cases = [
     "from",
     () => Diagram.from(detached()),
     "bad-length",
-    "items is a typed array whose buffer is detached",
+    "xyr is a typed array whose buffer is detached",
   ],
   // Big integers
   ["constructor", () => new Diagram([1n, 2, 3]), "not-finite", "xyr[0] is the bigint 1n"],
@@ -258,18 +258,8 @@ const cases = [
     "bad-option",
     "r is 5, expected a function",
   ],
-  [
-    "constructor",
-    () => new Diagram([], { location: "grid" }),
-    "bad-option",
-    'options.location is the string "grid", expected "hierarchy" or "walk"',
-  ],
-  [
-    "constructor",
-    () => new Diagram([], { location: null }),
-    "bad-option",
-    "options.location is null",
-  ],
+  ["constructor", () => new Diagram([], { location: "walk" }), "bad-option", "expected { r }"],
+  ["constructor", () => new Diagram([], { r: null }), "not-finite", "options.r is null"],
 ];
 
 test("removeMany skips whole numbers that no site has, and refuses what is no id", () => {

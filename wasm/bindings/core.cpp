@@ -20,7 +20,6 @@
 using apollonius::Builder;
 using apollonius::Circle;
 using apollonius::Diagram;
-using apollonius::Location;
 using apollonius::NearestFirst;
 using apollonius::Source;
 using apollonius::Top;
@@ -31,8 +30,8 @@ extern "C" [[noreturn]] void abort_message(const char*, ...) { std::abort(); }
 
 namespace {
 
-Diagram* create(Location location) {
-  return allocating([&] { return new Diagram(location); });
+Diagram* create() {
+  return allocating([&] { return new Diagram(); });
 }
 
 /// The new ids go to an array that is there before, so that nothing can fail when all are in.
@@ -72,9 +71,6 @@ EMSCRIPTEN_BINDINGS(core) {
       .value("kNoConvergence", Error::kNoConvergence)
       .value("kBusy", Error::kBusy)
       .value("kBroken", Error::kBroken);
-  enum_<Location>("Location")
-      .value("walk", Location::kWalk)
-      .value("hierarchy", Location::kHierarchy);
   enum_<Source>("Source").value("anyone", Source::kAnyone).value("trusted", Source::kTrusted);
   enum_<Top>("Top").value("smallest", Top::kSmallest).value("last", Top::kLast);
 

@@ -36,15 +36,13 @@ export const diagramCalls = {
     refuses: [
       ...numbers("xyr", 3, (_d, xyr) => new Diagram(xyr)),
       ...tooMany("xyr", 3, (_d, xyr) => new Diagram(xyr)),
-      [
-        "bad-option",
-        () => new Diagram([], { location: "grid" }),
-        'options.location is the string "grid"',
-      ],
+      ["not-finite", () => new Diagram([], { r: "1" }), 'options.r is the string "1"'],
+      ["out-of-range", () => new Diagram([0, 0], { r: 1e101 }), "options.r is 1e+101"],
+      ["bad-length", () => new Diagram([0, 0, 1], { r: 1 }), "a multiple of 2 values in xy, got 3"],
       [
         "bad-option",
         () => new Diagram([], { radius: 5 }),
-        "options.radius is unknown, expected { location }",
+        "options.radius is unknown, expected { r }",
       ],
       ["not-finite", () => new Diagram([[0, 0, 1]]), "Diagram.from(rows) reads rows"],
       ["not-finite", () => new Diagram([{ x: 1 }, {}, {}]), "Diagram.from(rows) reads rows"],
@@ -61,6 +59,14 @@ export const diagramCalls = {
       ...tooMany("items", 1, (_d, items) => Diagram.from(items)),
       ["bad-length", () => Diagram.from(7), "items is 7"],
       ["bad-option", () => Diagram.from([], 7), "x is 7"],
+      ["bad-option", () => Diagram.from([[1, 2]], ...Array(3).fill(() => 1), 5, {}), "not last"],
+      [
+        "bad-option",
+        () => Diagram.from([], ...Array(3).fill(() => 1), { r: 1 }),
+        "an accessor of it",
+      ],
+      ["not-finite", () => Diagram.from([0, 1, NaN]), "xyr[2] is NaN"],
+      ["bad-length", () => Diagram.from([0, 1, 2, 3]), "a multiple of 3 values in xyr, got 4"],
       ["bad-option", () => Diagram.from([{ x: 1, y: 2, radius: 5 }]), "(d) => d.radius"],
       ["bad-option", () => Diagram.from([{ x: 1, y: 2, size: 5 }]), "(d) => d.size"],
       ["bad-option", () => Diagram.from([{ x: 1, y: 2, weight: 5 }]), "(d) => d.weight"],
@@ -85,8 +91,8 @@ export const diagramCalls = {
       ["bad-length", () => Diagram.fromBytes(new Uint8ClampedArray(8)), "expected a Uint8Array"],
       [
         "bad-option",
-        (d) => Diagram.fromBytes(d.toBytes(), { location: "grid" }),
-        'options.location is the string "grid"',
+        (d) => Diagram.fromBytes(d.toBytes(), { location: "walk" }),
+        "expected { trust",
       ],
       [
         "bad-option",

@@ -38,7 +38,13 @@ Diagram.from(cities, (d) => String(d.lon), (d) => d.lat);
 // @ts-expect-error: diagram.voronoi() makes it
 new Voronoi(diagram, [0, 0, 1, 1]);
 Diagram.from([{ x: 1, y: 2 }, { x: 1, y: 2, r: 3 }]);
-Diagram.from([[1, 2], [1, 2, 3]], undefined, undefined, (d, i) => i);
+Diagram.from([[1, 2], [1, 2, 3]], { r: 1 });
+Diagram.from(new Float64Array(6));
+new Diagram(new Float32Array(4), { r: 0 });
+diagram.insertMany([0, 0], { r: 1 });
+diagram.updateMany([0], [0, 0], { r: "keep" });
+// @ts-expect-error: nothing else is kept
+diagram.updateMany([0], [0, 0], { r: "own" });
 Diagram.from(new Set([new Float32Array(2)]));
 Diagram.from(diagram);
 for (const { id, x, y, r, hidden } of diagram) diagram.update(id, x, y, hidden ? r : 2 * r);
@@ -64,6 +70,7 @@ diagram.pick(0, 0, 20);
 const { signal } = new AbortController();
 const early: Promise<Diagram> = Diagram.fromAsync([[1, 2]], { signal });
 Diagram.fromAsync(cities, (d) => d.lon, (d) => d.lat, undefined, { signal });
+Diagram.fromAsync(new Float64Array(6), { signal });
 Diagram.fromAsync(cities, (d) => d.lon, (d) => d.lat, { signal });
 Diagram.from(cities, (d) => d.lon, (d) => d.lat);
 // @ts-expect-error: cities have no x and y

@@ -2,6 +2,8 @@
 import { ApolloniusError } from "../errors.js";
 import {
   allocated,
+  checkedNewSites,
+  checkedR,
   checkOptions,
   checkSiteCount,
   described,
@@ -9,8 +11,12 @@ import {
   isArrayLike,
   isDetached,
   numberError,
+  throwFirst,
+  triplesOf,
+  typedArrayKind,
 } from "./arguments.js";
-import type { BuildOptions } from "./types.js";
+import { plane } from "./space.js";
+import type { RadiusOption } from "./types.js";
 
 /**
  * Reads one number from an item; called with the item, its index and all items, as d3's accessors
@@ -21,53 +27,13 @@ export type Accessor<T> = (item: T, index: number, items: Items<T>) => number;
 /** What `Diagram.from` takes. */
 export type Items<T> = Iterable<T> | ArrayLike<T>;
 
-/** The accessors of `Diagram.from`; `that` is their `this`. */
-export type Accessors<T> = [
-  x: Accessor<T>,
-  y: Accessor<T>,
-  r?: Accessor<T> | undefined,
-  that?: unknown,
-];
+type Accessors<T> = readonly (Accessor<T> | null | undefined)[];
 
-/** `Accessors` that may be left out: what is missing is read as from a `Circular`. */
-export type SomeAccessors<T> = [
-  x?: Accessor<T> | undefined,
-  y?: Accessor<T> | undefined,
-  r?: Accessor<T> | undefined,
-  that?: unknown,
-];
-
-/** The accessors of `Diagram.fromAsync`, and its options, which come last. */
-export type AsyncAccessors<T> = [
-  x: Accessor<T>,
-  y: Accessor<T>,
-  r?: Accessor<T> | BuildOptions | undefined,
-  options?: BuildOptions | undefined,
-];
-
-/** `AsyncAccessors` that may be left out: what is missing is read as from a `Circular`. */
-export type SomeAsync<T> = [
-  x?: Accessor<T> | undefined,
-  y?: Accessor<T> | undefined,
-  r?: Accessor<T> | BuildOptions | undefined,
-  options?: BuildOptions | undefined,
-];
-
-/**
- * Accessors, and the options behind them, which have these names: all that comes after the items.
- * Throws "bad-option".
- */
-export function accessorsAndOptions<T, Options extends object>(
-  rest: unknown[],
-  ...names: string[]
-): [accessors: SomeAccessors<T>, options: Options | undefined] {
-  const at = [0, 1, 2].find((k) => typeof rest[k] === "object" && rest[k] !== null) ?? 3;
-  const accessors = rest.slice(0, at) as SomeAccessors<T>;
-  const [options, ...after] = rest.slice(at);
-  checkOptions(options as object | undefined, ...names);
-  if (after.some((given) => given !== undefined))
-    throw new ApolloniusError("bad-option", "options are not last, but expected last");
-  return [accessors, options as Options | undefined];
+/** Items that are read in portions. */
+export interface Reader {
+  readonly count: number;
+  /** The triples of the items from one to before another. */
+  triples(from: number, to: number): ArrayLike<number>;
 }
 
 /** What `Diagram.from` reads without accessors. */
@@ -79,6 +45,10 @@ export type Circular =
 export interface ItemKind {
   /** What messages call the numbers of a site. */
   readonly names: readonly [x: string, y: string, r: string];
+  /** What messages call an array of sites. */
+  readonly sites: string;
+  /** What messages call an array of points. */
+  readonly points: string;
   /** What an item without accessors can be. */
   readonly expected: string;
   /** The numbers of an item without accessors, of which r may be missing; undefined for no item. */
@@ -90,8 +60,10 @@ export interface ItemKind {
 type Fields = { readonly [name: string]: unknown } & ArrayLike<unknown>;
 
 /** Objects {x, y, r} and arrays [x, y, r]. */
-const circles: ItemKind = {
-  names: ["x", "y", "r"],
+export const circles: ItemKind = {
+  names: plane.names,
+  sites: plane.sites,
+  points: plane.points,
   expected: "{x, y, r} or [x, y, r]",
   fields(item) {
     if (item === null || item === undefined) return undefined;
@@ -113,24 +85,25 @@ function radiusWithoutR(item: unknown, index: number): 0 {
   if (name === undefined) return 0;
   throw new ApolloniusError(
     "bad-option",
-    `item ${index} has a ${name} and no r: give (d) => d.${name} as third accessor, or two ` +
-      "accessors for points",
+    `item ${index} has a ${name} and no r: give (d) => d.${name} as third accessor, or the ` +
+      "option { r: 0 } for points",
   );
 }
 
-/** Of items that accessors make points. */
-const kPoint = [undefined, undefined, 0] as const;
+/** Of items of which accessors read both coordinates. */
+const kNothing = [undefined, undefined, undefined] as const;
 
 /** Items that are read in portions, whatever the accessors do to them. */
-export class ItemReader<T> {
+class ItemReader<T> implements Reader {
   readonly count: number;
   readonly #kind: ItemKind;
   readonly #items: Items<T>;
   readonly #list: ArrayLike<T>;
-  readonly #accessors: SomeAccessors<T>;
+  readonly #accessors: Accessors<T>;
+  readonly #r: number | undefined;
 
   /** Throws "bad-length", "bad-option" or "too-large". */
-  constructor(kind: ItemKind, items: Items<T>, ...accessors: SomeAccessors<T>) {
+  constructor(kind: ItemKind, items: Items<T>, accessors: Accessors<T>, r: number | undefined) {
     for (const [axis, name] of kind.names.entries()) {
       const accessor = accessors[axis];
       if (accessor === undefined || accessor === null || typeof accessor === "function") continue;
@@ -139,6 +112,8 @@ export class ItemReader<T> {
         `${name} is ${described(accessor)}, expected a function of an item`,
       );
     }
+    if (r !== undefined && accessors[2])
+      throw new ApolloniusError("bad-option", `options.${kind.names[2]} and an accessor of it`);
     if (isDetached(items)) throw detachedArray("items", "items");
     const isIterable = typeof items === "object" && items !== null && Symbol.iterator in items;
     const list = isIterable && !("length" in items) ? Array.from(items) : (items as ArrayLike<T>);
@@ -153,6 +128,8 @@ export class ItemReader<T> {
     this.#items = items;
     this.#list = list;
     this.#accessors = accessors;
+    // With two accessors, items are points.
+    this.#r = accessors[0] && accessors[1] && !accessors[2] ? (r ?? 0) : r;
   }
 
   /**
@@ -162,21 +139,23 @@ export class ItemReader<T> {
   triples(from: number, to: number): Float64Array {
     const kind = this.#kind;
     const items = this.#items;
-    const [x, y, r, that] = this.#accessors;
+    const [x, y, r] = this.#accessors;
+    const isRead = x && y;
     const triples = allocated(() => new Float64Array(3 * (to - from)));
     for (let index = from; index < to; ++index) {
       const item = this.#list[index] as T;
-      const usual = x && y ? kPoint : kind.fields(item);
+      const usual = isRead ? kNothing : kind.fields(item);
       if (usual === undefined)
         throw new ApolloniusError(
           "not-finite",
           `item ${index} is ${described(item)}, expected ${kind.expected}`,
         );
-      const usualR = usual[2] === undefined && !r ? radiusWithoutR(item, index) : usual[2];
+      const isGiven = r || this.#r !== undefined || usual[2] !== undefined;
+      const own = isGiven ? (this.#r ?? usual[2]) : radiusWithoutR(item, index);
       const values = [
-        x ? x.call(that, item, index, items) : usual[0],
-        y ? y.call(that, item, index, items) : usual[1],
-        r ? r.call(that, item, index, items) : usualR,
+        x ? x(item, index, items) : usual[0],
+        y ? y(item, index, items) : usual[1],
+        r ? r(item, index, items) : own,
       ];
       values.forEach((value, axis) => {
         // Names are made for errors only, as they cost more than the check.
@@ -189,6 +168,57 @@ export class ItemReader<T> {
   }
 }
 
-/** Reads the items of `Diagram.from`. */
-export const circleReader = <T>(items: Items<T>, ...accessors: SomeAccessors<T>): ItemReader<T> =>
-  new ItemReader(circles, items, ...accessors);
+/** Flat numbers: triples, or pairs with one radius for all. */
+class FlatReader implements Reader {
+  readonly count: number;
+  readonly #kind: ItemKind;
+  readonly #numbers: ArrayLike<number>;
+  readonly #r: number | undefined;
+
+  /** Throws "bad-length", "not-finite" or "too-large". */
+  constructor(kind: ItemKind, numbers: ArrayLike<number>, r: number | undefined) {
+    this.#kind = kind;
+    this.#numbers = checkedNewSites(kind, numbers, r);
+    this.#r = r;
+    this.count = numbers.length / (r === undefined ? 3 : 2);
+  }
+
+  triples(from: number, to: number): ArrayLike<number> {
+    const each = this.#r === undefined ? 3 : 2;
+    const some = Array.prototype.slice.call(this.#numbers, each * from, each * to) as number[];
+    const name = each === 3 ? this.#kind.sites : this.#kind.points;
+    throwFirst(some, (value, k) =>
+      this.#kind.error(`${name}[${each * from + k}]`, k % each, value),
+    );
+    return triplesOf(some, this.#r);
+  }
+}
+
+const isFlat = (items: unknown): items is ArrayLike<number> =>
+  typedArrayKind(items) !== undefined || (Array.isArray(items) && typeof items[0] === "number");
+
+/** Options that come after items and accessors, and have these names. Throws "bad-option". */
+export function accessorsAndOptions<T, Options extends object>(
+  rest: unknown[],
+  ...names: string[]
+): [accessors: Accessors<T>, options: Options | undefined] {
+  const at = [0, 1, 2].find((k) => typeof rest[k] === "object" && rest[k] !== null) ?? 3;
+  const [options, ...after] = rest.slice(at);
+  checkOptions(options, ...names);
+  if (after.some((given) => given !== undefined))
+    throw new ApolloniusError("bad-option", "options are not last, but expected last");
+  return [rest.slice(0, at) as Accessors<T>, options as Options | undefined];
+}
+
+/** Reads what `from` and `fromAsync` take. */
+export function readerOf<T>(
+  kind: ItemKind,
+  items: Items<T>,
+  accessors: Accessors<T>,
+  options: RadiusOption | undefined,
+): Reader {
+  const r = checkedR(options?.r);
+  return isFlat(items) && !accessors.some(Boolean)
+    ? new FlatReader(kind, items, r)
+    : new ItemReader(kind, items, accessors, r);
+}

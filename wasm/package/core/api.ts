@@ -1,12 +1,8 @@
 // What the entry `apollonius-diagram/core` exports, whichever way the wasm comes.
 export type {
   Accessor,
-  Accessors,
-  AsyncAccessors,
   Circular,
   Items,
-  SomeAccessors,
-  SomeAsync,
 } from "./accessors.js";
 export { Diagram } from "./diagram.js";
 export { predicateCounts } from "./predicate_counts.js";
@@ -15,7 +11,6 @@ export type { Triangulation } from "./triangulation.js";
 export type {
   Bounds,
   BuildOptions,
-  DiagramOptions,
   Edges,
   FilterOptions,
   FindOptions,
@@ -27,10 +22,12 @@ export type {
   PickOptions,
   Position,
   PredicateCounts,
+  RadiusOption,
   Site,
   Sites,
   SnapshotOptions,
   StageCounts,
+  UpdateOptions,
   Vertices,
   WithinManyOptions,
 } from "./types.js";

@@ -222,11 +222,43 @@ export function checkedNumbers(
   return copied(name, counted(name, values, multipleOf));
 }
 
-/** `checkedNumbers` for x, y, r triples of new sites. */
-export function checkedNewSites(name: string, values: unknown): ArrayLike<number> {
-  const array = counted(name, values, 3);
-  checkSiteCount(name, array.length / 3);
+/** What messages call arrays of sites, and of points. */
+interface ArrayNames {
+  readonly sites: string;
+  readonly points: string;
+}
+
+/** `checkedNumbers` for triples of new sites, or for pairs where `r` is given. */
+export function checkedNewSites(
+  { sites, points }: ArrayNames,
+  values: unknown,
+  r: unknown,
+): ArrayLike<number> {
+  const [name, each] = r === undefined ? [sites, 3] : [points, 2];
+  const array = counted(name, values, each);
+  checkSiteCount(name, array.length / each);
   return copied(name, array);
+}
+
+/** The radius that an option gives to all sites; undefined for none. Throws "not-finite". */
+export function checkedR(r: unknown): number | undefined {
+  if (r === undefined || (typeof r === "number" && Number.isFinite(r))) return r;
+  throw numberError("options.r", r) as ApolloniusError;
+}
+
+/** Triples of pairs and radii, which are one for all or one for each; or the triples given. */
+export function triplesOf(
+  numbers: ArrayLike<number>,
+  r: number | ArrayLike<number> | undefined,
+): ArrayLike<number> {
+  if (r === undefined) return numbers;
+  const triples = allocated(() => new Float64Array((numbers.length / 2) * 3));
+  for (let k = 0; 2 * k < numbers.length; ++k) {
+    triples[3 * k] = numbers[2 * k] as number;
+    triples[3 * k + 1] = numbers[2 * k + 1] as number;
+    triples[3 * k + 2] = typeof r === "number" ? r : (r[k] as number);
+  }
+  return triples;
 }
 
 function counted(name: string, values: unknown, multipleOf: number): ArrayLike<unknown> {
@@ -333,6 +365,8 @@ export function checkedTolerance(tolerance: unknown, usual: () => number): numbe
 /** Throws "bad-option" unless these are options, or nothing, and have no other names than these. */
 export function checkOptions(options: unknown, ...names: string[]): void {
   if (options === undefined || options === null) return;
+  // as from ids.map(view.cellPolygon, view)
+  if (typeof options === "number" && !names.includes("maxDistance")) return;
   if (typeof options !== "object" || Array.isArray(options) || ArrayBuffer.isView(options))
     throw badOptions(`options is ${described(options)}`, names, typeof options === "number");
   for (const name in options)

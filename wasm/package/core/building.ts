@@ -1,6 +1,7 @@
 // Building without blocking: in slices of some milliseconds, between which the event loop has a
 // turn.
 import { ApolloniusError } from "../errors.js";
+import type { Reader } from "./accessors.js";
 import { described } from "./arguments.js";
 import type { DynamicDiagram } from "./dynamic_diagram.js";
 import { innerOf } from "./inner.js";
@@ -67,13 +68,6 @@ function badOption(name: string, value: unknown, expected: string): ApolloniusEr
     "bad-option",
     `options.${name} is ${described(value)}, expected ${expected}`,
   );
-}
-
-/** Items that are read in portions. */
-interface Reader {
-  readonly count: number;
-  /** The triples of the items from one to before another. */
-  triples(from: number, to: number): Float64Array;
 }
 
 /** Fills an empty diagram of the plane or the sphere with items; disposes of it if that fails. */

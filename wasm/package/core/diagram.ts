@@ -1,12 +1,10 @@
 import {
-  type Accessors,
+  type Accessor,
   accessorsAndOptions,
-  type AsyncAccessors,
   type Circular,
-  circleReader,
+  circles,
   type Items,
-  type SomeAccessors,
-  type SomeAsync,
+  readerOf,
 } from "./accessors.js";
 import {
   checkedBytes,
@@ -27,9 +25,9 @@ import { SurfaceDiagram } from "./surface_diagram.js";
 import { type Triangulation, triangulationOf } from "./triangulation.js";
 import type {
   BuildOptions,
-  DiagramOptions,
   FilterOptions,
   ListedSite,
+  RadiusOption,
   Site,
   Sites,
   SnapshotOptions,
@@ -67,28 +65,38 @@ interface Plane {
  */
 export class Diagram extends SurfaceDiagram<Plane> {
   /**
-   * A diagram of flat x, y, r triples; their ids are 0, 1, 2, … in input order. Cost: expected O(n
-   * log n). Throws "not-finite", "out-of-range", "bad-length" (no multiple of 3), "too-large" (more
-   * than 2^29 triples), "bad-option" (an unknown location).
+   * A diagram of flat x, y, r triples, or with the option `r` of x, y pairs; their ids are 0, 1, 2,
+   * … in input order. Cost: expected O(n log n). Throws "not-finite", "out-of-range", "bad-length"
+   * (no multiple of 3, or of 2), "too-large" (more than 2^29 sites), "bad-option".
    */
-  constructor(xyr?: ArrayLike<number>, options?: DiagramOptions) {
-    checkOptions(options, "location");
-    const location = checkedChoice("options.location", options?.location, ["hierarchy", "walk"]);
-    super(runningModule().create(location), plane);
-    if (xyr !== undefined) fillOrDispose(this, () => this.insertMany(xyr));
+  constructor(xyr?: ArrayLike<number>, options?: RadiusOption) {
+    checkOptions(options, "r");
+    super(runningModule().create(), plane);
+    if (xyr !== undefined)
+      fillOrDispose(this, () => this.insertMany(xyr, options as { r: number }));
   }
 
   /**
    * A diagram of any items, read by accessors as in d3-delaunay (item, index, items); with two
    * accessors, for x and y, items are points. Without accessors an item is an object {x, y, r} or
-   * an array [x, y, r]; a missing r is 0. Ids are 0, 1, 2, … in input order. Throws as the
-   * constructor, naming the item; "bad-option" if an accessor is no function, or an item without r
-   * has a `radius`, `size` or `weight`, which nothing would read. Cost: expected O(n log n).
+   * an array [x, y, r], of which a missing r is 0, or `items` are flat numbers as the constructor
+   * takes them. Options come last. Ids are 0, 1, 2, … in input order. Throws as the constructor,
+   * naming the item; "bad-option" if an accessor is no function, or an item without r has a
+   * `radius`, `size` or `weight`, which nothing would read. Cost: expected O(n log n).
    */
-  static from<T>(items: Items<T>, ...accessors: Accessors<T>): Diagram;
-  static from<T extends Circular>(items: Items<T>, ...accessors: SomeAccessors<T>): Diagram;
-  static from<T>(items: Items<T>, ...[x, y, r, that]: SomeAccessors<T>): Diagram {
-    const reader = circleReader(items, x, y, r, that);
+  static from(xyr: ArrayLike<number>, options?: RadiusOption): Diagram;
+  static from<T extends Circular>(items: Items<T>, options?: RadiusOption): Diagram;
+  static from<T>(items: Items<T>, x: Accessor<T>, y: Accessor<T>, options?: RadiusOption): Diagram;
+  static from<T>(
+    items: Items<T>,
+    x: Accessor<T>,
+    y: Accessor<T>,
+    r: Accessor<T> | undefined,
+    options?: RadiusOption,
+  ): Diagram;
+  static from(items: Items<unknown>, ...rest: unknown[]): Diagram {
+    const [accessors, options] = accessorsAndOptions<unknown, RadiusOption>(rest, "r");
+    const reader = readerOf(circles, items, accessors, options);
     return new Diagram(reader.triples(0, reader.count));
   }
 
@@ -99,24 +107,33 @@ export class Diagram extends SurfaceDiagram<Plane> {
    * throws; with the reason of `options.signal` once that aborts; with what accessors or
    * `onProgress` throw; then there is no diagram. Cost: about that of `from`.
    */
-  static fromAsync<T extends Circular>(items: Items<T>, options: BuildOptions): Promise<Diagram>;
-  static fromAsync<T>(items: Items<T>, ...rest: AsyncAccessors<T>): Promise<Diagram>;
-  static fromAsync<T extends Circular>(items: Items<T>, ...rest: SomeAsync<T>): Promise<Diagram>;
-  static async fromAsync<T>(
+  static fromAsync(xyr: ArrayLike<number>, options?: BuildOptions): Promise<Diagram>;
+  static fromAsync<T extends Circular>(items: Items<T>, options?: BuildOptions): Promise<Diagram>;
+  static fromAsync<T>(
     items: Items<T>,
-    ...rest: SomeAsync<T> | [options: BuildOptions]
-  ): Promise<Diagram> {
-    const names = ["location", "signal", "onProgress"];
-    const [accessors, options] = accessorsAndOptions<T, BuildOptions>(rest, ...names);
-    const reader = circleReader(items, ...accessors);
-    const diagram = new Diagram(undefined, { location: options?.location });
+    x: Accessor<T>,
+    y: Accessor<T>,
+    options?: BuildOptions,
+  ): Promise<Diagram>;
+  static fromAsync<T>(
+    items: Items<T>,
+    x: Accessor<T>,
+    y: Accessor<T>,
+    r: Accessor<T> | undefined,
+    options?: BuildOptions,
+  ): Promise<Diagram>;
+  static async fromAsync(items: Items<unknown>, ...rest: unknown[]): Promise<Diagram> {
+    const names = ["r", "signal", "onProgress"];
+    const [accessors, options] = accessorsAndOptions<unknown, BuildOptions>(rest, ...names);
+    const reader = readerOf(circles, items, accessors, options);
+    const diagram = new Diagram();
     await buildOrDispose(diagram, reader, options ?? {});
     return diagram;
   }
 
   /**
    * The diagram that `toBytes` saved, with its ids (the free ones are used again in the same
-   * order); `location` may be another. The bytes are verified: whoever made them, the result is the
+   * order). The bytes are verified: whoever made them, the result is the
    * exact diagram of their sites. Throws "corrupt-snapshot" (bytes that are no snapshot, are
    * damaged, are not the diagram of their sites, or come from another version), "bad-length" (no
    * Uint8Array), "bad-option". Cost: O(n); for degenerate input (grids) about that of building.
@@ -124,9 +141,9 @@ export class Diagram extends SurfaceDiagram<Plane> {
    * other bytes, answers may be wrong and calls may throw "corrupt-snapshot" (docs/SNAPSHOTS.md).
    */
   static fromBytes(bytes: Uint8Array, options?: SnapshotOptions): Diagram {
-    checkOptions(options, "location", "trusted");
+    checkOptions(options, "trusted");
     const trusted = checkedChoice("options.trusted", options?.trusted, [false, true]);
-    const diagram = new Diagram(undefined, { location: options?.location });
+    const diagram = new Diagram();
     fillOrDispose(diagram, () => {
       const { native, ballast } = planarOf(diagram);
       const source = runningModule().Source[trusted ? "trusted" : "anyone"];

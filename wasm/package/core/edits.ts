@@ -5,12 +5,16 @@ import {
   checkedIds,
   checkedNewSites,
   checkedNumbers,
+  checkedR,
+  checkOptions,
   checkSiteId,
+  triplesOf,
   unknownSite,
 } from "./arguments.js";
 import type { Inner } from "./inner.js";
-import { ofSite } from "./native/native_errors.js";
+import { ofSite, refusesNumbers } from "./native/native_errors.js";
 import { atSite, checkTypes, ofItems, ofNumbers } from "./space.js";
+import type { RadiusOption, UpdateOptions } from "./types.js";
 
 export function insert(inner: Inner, x: number, y: number, r: number): number {
   const id = atSite(inner, x, y, r, (native) => native.insert(x, y, r));
@@ -18,14 +22,33 @@ export function insert(inner: Inner, x: number, y: number, r: number): number {
   return id;
 }
 
-export function insertMany(inner: Inner, sites: ArrayLike<number>): Uint32Array {
+/** The error of a call with triples, or with pairs if `r` is given; it names the first bad one. */
+function ofSites(
+  error: unknown,
+  inner: Inner,
+  numbers: ArrayLike<number>,
+  r: number | string | undefined,
+): unknown {
+  const named = ofItems(error, inner, numbers, r === undefined ? 3 : 2);
+  const isOfR = typeof r === "number" && refusesNumbers(error);
+  return (isOfR && inner.space.error("options.r", 2, r, inner.native)) || named;
+}
+
+export function insertMany(
+  inner: Inner,
+  sites: ArrayLike<number>,
+  options: RadiusOption | undefined,
+): Uint32Array {
   const { native, space, ballast } = inner;
-  const numbers = checkedNewSites(space.sites, sites);
-  const ids = allocated(() => new Uint32Array(numbers.length / 3));
+  checkOptions(options, "r");
+  const r = checkedR(options?.r);
+  const numbers = checkedNewSites(space, sites, r);
+  const triples = triplesOf(numbers, r);
+  const ids = allocated(() => new Uint32Array(triples.length / 3));
   try {
-    native.insertMany(numbers, ids);
+    native.insertMany(triples, ids);
   } catch (error) {
-    throw ofItems(error, inner, numbers, 3);
+    throw ofSites(error, inner, numbers, r);
   }
   ballast.carry(native.size());
   return ids;
@@ -49,24 +72,32 @@ export function update(
   }
 }
 
-export function updateMany(inner: Inner, ids: ArrayLike<number>, sites: ArrayLike<number>): void {
+export function updateMany(
+  inner: Inner,
+  ids: ArrayLike<number>,
+  sites: ArrayLike<number>,
+  options: UpdateOptions | undefined,
+): void {
   const { native, space } = inner;
   const checked = checkedIds("ids", ids);
-  const numbers = checkedNumbers(space.sites, sites, 3);
-  const expected = 3 * checked.length;
+  checkOptions(options, "r");
+  const r = options?.r === "keep" ? "keep" : checkedR(options?.r);
+  const [name, each] = r === undefined ? [space.sites, 3] : [space.points, 2];
+  const numbers = checkedNumbers(name, sites, each);
+  const expected = each * checked.length;
   if (numbers.length !== expected)
     throw new ApolloniusError(
       "bad-length",
-      `expected ${expected} values in ${space.sites} for ${checked.length} ids, got ` +
-        numbers.length,
+      `expected ${expected} values in ${name} for ${checked.length} ids, got ${numbers.length}`,
     );
   try {
-    native.updateMany(checked, numbers);
+    const radii = r === "keep" ? Array.from(checked, (id) => native.site(id).r) : r;
+    native.updateMany(checked, triplesOf(numbers, radii));
   } catch (error) {
     if (error instanceof ApolloniusError && error.code === "unknown-site") {
       const k = checked.findIndex((id) => !native.has(id));
       throw new ApolloniusError("unknown-site", `ids[${k}]: ${unknownSite(checked[k]).message}`);
     }
-    throw ofItems(error, inner, numbers, 3);
+    throw ofSites(error, inner, numbers, r);
   }
 }

@@ -24,7 +24,7 @@ export const plane: Space = {
   sites: "xyr",
   points: "xy",
   error: (name, _, value) => numberError(name, value),
-  empty: () => runningModule().create("hierarchy"),
+  empty: () => runningModule().create(),
 };
 
 type Numbers = readonly [x: unknown, y: unknown, r?: unknown];

@@ -27,6 +27,8 @@ import type {
   NearbyLists,
   NearestSites,
   PickOptions,
+  RadiusOption,
+  UpdateOptions,
   WithinManyOptions,
 } from "./types.js";
 
@@ -53,12 +55,13 @@ interface SurfaceCalls<S extends Surface> {
   insert(...args: [...place: S["place"], r?: number]): number;
 
   /**
-   * Adds flat triples, two coordinates and r each, all or none, much faster than a loop; returns
-   * their ids in input order. Cost: expected O(m log n) for m triples, on the sphere that of
-   * building as for `insert`. Throws as `insert`, and "bad-length" (no multiple of 3), "too-large"
-   * (more than 2^29 triples).
+   * Adds flat triples, two coordinates and r each, or with the option `r` pairs; all or none, much
+   * faster than a loop; returns their ids in input order. Cost: expected O(m log n) for m sites, on
+   * the sphere that of building as for `insert`. Throws as `insert`, and "bad-length" (no multiple
+   * of 3, or of 2), "too-large" (more than 2^29 sites), "bad-option".
    */
   insertMany(...args: S["sites"]): Uint32Array;
+  insertMany(...args: [...places: S["places"], options: RadiusOption & { r: number }]): Uint32Array;
 
   /**
    * Moves and/or resizes a site, which keeps its id; without r it keeps its radius or weight. Cost:
@@ -67,11 +70,19 @@ interface SurfaceCalls<S extends Surface> {
   update(...args: [id: number, ...place: S["place"], r?: number]): this;
 
   /**
-   * Updates site ids[k] to the k-th triple, all or none. Cost: as `update` for each, but no more
-   * than building takes where many sites move far. Throws as `update`, and "bad-length" unless
-   * there is one triple an id.
+   * Updates site ids[k] to the k-th triple, all or none; with `r: "keep"` to the k-th pair, and
+   * each site keeps its radius or weight. Cost: as `update` for each, but no more than building
+   * takes where many sites move far. Throws as `update`, and "bad-length" unless there is one
+   * triple (pair) an id, "bad-option".
    */
   updateMany(...args: [ids: ArrayLike<number>, ...sites: S["sites"]]): this;
+  updateMany(
+    ...args: [
+      ids: ArrayLike<number>,
+      ...places: S["places"],
+      options: UpdateOptions & { r: number | "keep" },
+    ]
+  ): this;
 
   /** Centre and radius (weight) of a site, exactly as given. O(1). Throws "unknown-site". */
   site(id: number): S["site"];
@@ -174,8 +185,8 @@ abstract class Written extends DynamicDiagram<object> implements SurfaceCalls<Su
     return insert(innerOf(this, true), x, y, r);
   }
 
-  insertMany(sites: ArrayLike<number>): Uint32Array {
-    return insertMany(innerOf(this, true), sites);
+  insertMany(sites: ArrayLike<number>, options?: RadiusOption): Uint32Array {
+    return insertMany(innerOf(this, true), sites, options);
   }
 
   update(id: number, x: number, y: number, r?: number): this {
@@ -183,8 +194,8 @@ abstract class Written extends DynamicDiagram<object> implements SurfaceCalls<Su
     return this;
   }
 
-  updateMany(ids: ArrayLike<number>, sites: ArrayLike<number>): this {
-    updateMany(innerOf(this, true), ids, sites);
+  updateMany(ids: ArrayLike<number>, sites: ArrayLike<number>, options?: UpdateOptions): this {
+    updateMany(innerOf(this, true), ids, sites, options);
     return this;
   }
 

@@ -88,17 +88,23 @@ export interface PredicateCounts {
   ties: number;
 }
 
-/** Options of the constructor. */
-export interface DiagramOptions {
+/** Options of the constructor of `Diagram`, of `from` and `insertMany`. */
+export interface RadiusOption {
   /**
-   * How the nearest site is located (paper, section 4): "hierarchy" (default), about log n; or
-   * "walk", from neighbour to neighbour, about sqrt(n), with less memory.
+   * The radius (weight) of all sites: numbers are then pairs of coordinates, and of items only
+   * these are read. Default: numbers are triples, and items have radii of their own.
    */
-  location?: "hierarchy" | "walk" | undefined;
+  r?: number | undefined;
+}
+
+/** Options of `updateMany`. */
+export interface UpdateOptions {
+  /** As in `RadiusOption`; "keep": each site keeps its own. */
+  r?: number | "keep" | undefined;
 }
 
 /** Options of `Diagram.fromAsync`. */
-export interface BuildOptions extends DiagramOptions {
+export interface BuildOptions extends RadiusOption {
   /** Ends the building when it aborts; the promise is rejected with its reason. */
   signal?: AbortSignal | undefined;
   /**
@@ -109,7 +115,7 @@ export interface BuildOptions extends DiagramOptions {
 }
 
 /** Options of `Diagram.fromBytes`. */
-export interface SnapshotOptions extends DiagramOptions {
+export interface SnapshotOptions {
   /**
    * true: skip the verification, for bytes that come from `toBytes` and that nobody has changed.
    * Default: false.

@@ -1,5 +1,5 @@
 // Which numbers the sphere accepts, and items as its sites.
-import { type ItemKind, ItemReader, type Items, type SomeAccessors } from "../core/accessors.js";
+import type { ItemKind, Items } from "../core/accessors.js";
 import { described, isArrayLike } from "../core/arguments.js";
 import {
   type AnyNative,
@@ -90,21 +90,18 @@ function fields(item: unknown): [lon: unknown, lat: unknown, r: unknown] | undef
 }
 
 /** Items of a diagram on a sphere of this radius. */
-const places = (radius: number): ItemKind => ({
+export const places = (radius: number): ItemKind => ({
   names: sphere.names,
+  sites: sphere.sites,
+  points: sphere.points,
   expected: "{lon, lat, r}, [lon, lat, r] or a GeoJSON point",
   fields,
   error: (name, axis, value) => errorOf(name, axis, value, radius),
 });
 
-/** Reads the items of `SphericalDiagram.from`, of which a FeatureCollection has a list. */
-export function placeReader<T>(
-  given: Items<T>,
-  accessors: SomeAccessors<T>,
-  radius: number,
-): ItemReader<T> {
+/** The items of `SphericalDiagram.from`, of which a FeatureCollection has a list. */
+export function itemsOf(given: unknown): Items<unknown> {
   const collection = given as { type?: unknown; features?: unknown } | null;
   const isCollection = collection?.type === "FeatureCollection";
-  const items = (isCollection ? collection.features : given) as Items<T>;
-  return new ItemReader(places(radius), items, ...accessors);
+  return (isCollection ? collection.features : given) as Items<unknown>;
 }

@@ -1,4 +1,4 @@
-import { type Accessor, accessorsAndOptions, type Items } from "../core/accessors.js";
+import { type Accessor, accessorsAndOptions, type Items, readerOf } from "../core/accessors.js";
 import {
   checkedBytes,
   checkedChoice,
@@ -32,7 +32,8 @@ import { interpolate } from "./interpolation.js";
 import {
   checkedAngularTolerance,
   checkedRadius,
-  placeReader,
+  itemsOf,
+  places,
   sphere,
 } from "./spherical_arguments.js";
 import type {
@@ -140,38 +141,50 @@ interface Sphere {
  */
 export class SphericalDiagram extends SurfaceDiagram<Sphere> {
   /**
-   * A diagram of flat longitude, latitude, r triples; their ids are 0, 1, 2, … in input order.
-   * Cost: expected O(n log n). Throws "not-finite", "out-of-range" (a latitude, weight or radius),
-   * "bad-length" (no multiple of 3), "too-large" (more than 2^29 triples), "bad-option".
+   * A diagram of flat longitude, latitude, r triples, or with the option `r` of pairs; their ids
+   * are 0, 1, 2, … in input order. Cost: expected O(n log n). Throws "not-finite", "out-of-range"
+   * (a latitude, weight or radius), "bad-length" (no multiple of 3, or of 2), "too-large" (more
+   * than 2^29 sites), "bad-option".
    */
   constructor(lonLatR?: ArrayLike<number>, options?: SphericalOptions) {
-    checkOptions(options, "radius");
+    checkOptions(options, "radius", "r");
     super(runningModule().createSpherical(checkedRadius(options)), sphere);
-    if (lonLatR !== undefined) fillOrDispose(this, () => this.insertMany(lonLatR));
+    const r = options?.r;
+    if (lonLatR !== undefined)
+      fillOrDispose(this, () => this.insertMany(lonLatR, { r } as { r: number }));
   }
 
   /**
    * A diagram of any items, read by accessors (item, index, items); with two accessors, items are
    * points. Without accessors an item is an object {lon, lat, r}, an array [lon, lat, r] or a point
-   * of GeoJSON, and `items` may be a FeatureCollection; a missing r is 0. Options come last. Ids
-   * are 0, 1, 2, … in input order. Throws as the constructor, naming the item; "bad-option" if an
-   * item without r has a `radius`, `size` or `weight`, which nothing would read.
+   * of GeoJSON, of which a missing r is 0, or `items` are flat numbers as the constructor takes
+   * them, or a FeatureCollection. Options come last. Ids are 0, 1, 2, … in input order. Throws as
+   * the constructor, naming the item; "bad-option" if an item without r has a `radius`, `size` or
+   * `weight`, which nothing would read.
    */
-  static from<T>(
-    items: Items<T>,
-    lon: Accessor<T>,
-    lat: Accessor<T>,
-    r?: Accessor<T> | SphericalOptions,
-    options?: SphericalOptions,
-  ): SphericalDiagram;
+  static from(lonLatR: ArrayLike<number>, options?: SphericalOptions): SphericalDiagram;
   static from<T extends Spherical>(
     items: Items<T> | { readonly type: "FeatureCollection"; readonly features: Items<T> },
     options?: SphericalOptions,
   ): SphericalDiagram;
+  static from<T>(
+    items: Items<T>,
+    lon: Accessor<T>,
+    lat: Accessor<T>,
+    options?: SphericalOptions,
+  ): SphericalDiagram;
+  static from<T>(
+    items: Items<T>,
+    lon: Accessor<T>,
+    lat: Accessor<T>,
+    r: Accessor<T> | undefined,
+    options?: SphericalOptions,
+  ): SphericalDiagram;
   static from(items: unknown, ...rest: unknown[]): SphericalDiagram {
-    const [accessors, options] = accessorsAndOptions<unknown, SphericalOptions>(rest, "radius");
+    const names = ["radius", "r"];
+    const [accessors, options] = accessorsAndOptions<unknown, SphericalOptions>(rest, ...names);
     const radius = checkedRadius(options);
-    const reader = placeReader(items as Items<unknown>, accessors, radius);
+    const reader = readerOf(places(radius), itemsOf(items), accessors, options);
     return new SphericalDiagram(reader.triples(0, reader.count), { radius });
   }
 
@@ -181,25 +194,35 @@ export class SphericalDiagram extends SurfaceDiagram<Sphere> {
    * with the reason of `options.signal` once that aborts; with what accessors or `onProgress`
    * throw. Then there is no diagram. Cost: about that of `from`.
    */
-  static fromAsync<T>(
-    items: Items<T>,
-    lon: Accessor<T>,
-    lat: Accessor<T>,
-    r?: Accessor<T> | SphericalBuildOptions,
+  static fromAsync(
+    lonLatR: ArrayLike<number>,
     options?: SphericalBuildOptions,
   ): Promise<SphericalDiagram>;
   static fromAsync<T extends Spherical>(
     items: Items<T> | { readonly type: "FeatureCollection"; readonly features: Items<T> },
     options?: SphericalBuildOptions,
   ): Promise<SphericalDiagram>;
+  static fromAsync<T>(
+    items: Items<T>,
+    lon: Accessor<T>,
+    lat: Accessor<T>,
+    options?: SphericalBuildOptions,
+  ): Promise<SphericalDiagram>;
+  static fromAsync<T>(
+    items: Items<T>,
+    lon: Accessor<T>,
+    lat: Accessor<T>,
+    r: Accessor<T> | undefined,
+    options?: SphericalBuildOptions,
+  ): Promise<SphericalDiagram>;
   static async fromAsync(items: unknown, ...rest: unknown[]): Promise<SphericalDiagram> {
-    const names = ["radius", "signal", "onProgress"];
+    const names = ["radius", "r", "signal", "onProgress"];
     const [accessors, options] = accessorsAndOptions<unknown, SphericalBuildOptions>(
       rest,
       ...names,
     );
     const radius = checkedRadius(options);
-    const reader = placeReader(items as Items<unknown>, accessors, radius);
+    const reader = readerOf(places(radius), itemsOf(items), accessors, options);
     const diagram = new SphericalDiagram(undefined, { radius });
     await buildOrDispose(diagram, reader, options ?? {});
     return diagram;

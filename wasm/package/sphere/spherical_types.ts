@@ -1,5 +1,5 @@
 // The types of apollonius-diagram/sphere that users see.
-import type { BuildOptions } from "../core/types.js";
+import type { BuildOptions, RadiusOption } from "../core/types.js";
 import type { CellsCollection } from "../shapes/geojson.js";
 import type { DistanceOptions } from "../shapes/types.js";
 
@@ -57,7 +57,7 @@ export interface SphericalEmptyCircle {
 }
 
 /** Options of `SphericalDiagram`. */
-export interface SphericalOptions {
+export interface SphericalOptions extends RadiusOption {
   /**
    * The radius of the sphere, > 0, in the unit of weights and distances. Default: 1, which makes
    * them radians; 6371.0088 makes them kilometres on the Earth.

@@ -71,7 +71,7 @@ function compiledPart(part: Part): WebAssembly.Module {
 // --- The instance --------------------------------------------------------------------------------
 
 interface NativeModule {
-  create(location: keyof MainModule["Location"]): NativeDiagram;
+  create(): NativeDiagram;
   createSpherical(radius: number): NativeSphericalDiagram;
   predicateCounts(): PredicateCounts;
   readonly Source: MainModule["Source"];
@@ -105,7 +105,7 @@ export function shapesOf(native: NativeDiagram): NativeShapes {
 
 function started(compiled: WebAssembly.Module): NativeModule {
   const { exports, startPart } = instantiated(compiled);
-  const { Diagram, Location, Source, Top } = exports;
+  const { Diagram, Source, Top } = exports;
   const guarded = guard(exports, () => {
     try {
       if (instance === module) instance = started(compiled);
@@ -150,10 +150,10 @@ function started(compiled: WebAssembly.Module): NativeModule {
   );
 
   const predicateCounts = guarded(exports.predicateCounts);
-  const create = guarded((location: keyof typeof Location) => new Diagram(Location[location]));
+  const create = guarded(() => new Diagram());
   const createSpherical = guarded((radius: number) => new exports.SphericalDiagram(radius));
   const module: NativeModule = {
-    create: (location) => create.call(nobody, location as never) as NativeDiagram,
+    create: () => create.call(nobody) as NativeDiagram,
     createSpherical(radius) {
       startSphere();
       return createSpherical.call(nobody, radius as never) as NativeSphericalDiagram;
