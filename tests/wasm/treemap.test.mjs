@@ -206,20 +206,20 @@ test.each([1, 1e-6, 1e6])("tolerance of a drawing, in the shape's unit: size %d"
   const { children } = treemap().size([900 * scale, 500 * scale])(rootOf(data));
   const usual = 2 ** -13 * scale * Math.hypot(900, 500);
   for (const leaf of children) {
-    const { places, curves } = placesAlong(leaf, { tolerance: 1e-90 }, 64);
+    const { places, curves } = placesAlong(leaf, { tolerance: 1e-90 }, 16);
     const finest = [...places, places[0]];
     const chords = 1e-3 * scale; // of the finest drawing's places
     let before = curves;
     expect(before).toBeLessThan(64 * 2 * children.length);
     for (const tolerance of [0.01, 0.1, 1, 10, 1000].map((share) => share * scale)) {
-      const coarse = placesAlong(leaf, { tolerance }, 16);
+      const coarse = placesAlong(leaf, { tolerance }, 8);
       const off = Math.max(...coarse.places.map((place) => distanceTo(finest, place)));
       expect(off).toBeLessThan(tolerance + chords);
       expect(coarse.curves).toBeLessThanOrEqual(before);
       before = coarse.curves;
     }
     expect(before).toBe(0); // straight lines
-    const byDefault = placesAlong(leaf, {}, 16);
+    const byDefault = placesAlong(leaf, {}, 8);
     const off = Math.max(...byDefault.places.map((place) => distanceTo(finest, place)));
     expect(off).toBeLessThan(Math.min(usual, 0.003 * Math.sqrt(leaf.area)) + chords);
     expect(byDefault.curves).toBeGreaterThan(0);
@@ -232,6 +232,8 @@ test("label with an aspect: the largest ellipse, inside the cell", () => {
   for (const leaf of root.leaves().filter((_, k) => k % 10 === 0)) {
     for (const aspect of [0.25, 1, 4]) {
       const { x, y, r } = leaf.label({ aspect });
+      leaf.label({ aspect }).x = NaN; // it is the caller's
+      expect(leaf.label({ aspect })).toEqual({ x, y, r });
       const squeezed = leaf.polygon.map(([px, py]) => [px / aspect, py]);
       const far = distanceTo(squeezed, [x / aspect, y]);
       const tolerance = (0.02 * Math.sqrt(leaf.area)) / Math.min(1, aspect);

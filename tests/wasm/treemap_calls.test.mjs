@@ -336,9 +336,9 @@ test("options that are unknown, and contexts that cannot draw, are refused", asy
     [{ progress() {} }, "progress is unknown"],
     [{ prevous: root }, "prevous is unknown"],
     [root, "options.data is unknown"],
-    [{ previous: 5 }, "previous is 5, expected a root that treemap() has laid out"],
-    [{ previous: rootOf(flare) }, "previous is an object, expected a root that"],
-    [{ previous: flare }, "previous is an object, expected a root that"],
+    [{ previous: 5 }, "previous is 5, expected a root with cells"],
+    [{ previous: rootOf(flare) }, "previous is an object, expected a root with"],
+    [{ previous: flare }, "previous is an object, expected a root with"],
   ];
   for (const [options, message] of refused) {
     expectRefusal(() => treemap()(root, options), "bad-option", message);

@@ -63,7 +63,7 @@ function addConic(
   const whole = 1 + w;
   const z = (w - 1) / whole;
   if ((w / whole) * far <= tolerance) target.lineTo(x2, y2);
-  else if (z * z * (0.02 + Math.max(0, 0.054 * z)) * far <= tolerance) {
+  else if (z * z * (0.02 + 0.054 * Math.max(0, z)) * far <= tolerance) {
     const share = (4 * w) / (3 * whole); // to the shoulder, as the conic
     target.bezierCurveTo(
       x0 + share * (x1 - x0),

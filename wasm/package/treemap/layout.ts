@@ -11,7 +11,7 @@ import { Slices } from "../core/building.js";
 import type { DrawOptions, PathContext } from "../core/path.js";
 import { ApolloniusError } from "../errors.js";
 import { checkedAspect, innerCircle } from "../shapes/inner_circle.js";
-import type { CellCircleOptions, FittedAreas } from "../shapes/types.js";
+import type { CellCircle, CellCircleOptions, FittedAreas } from "../shapes/types.js";
 import { type Cell, shapeOf } from "./cells.js";
 import { drawOutline } from "./drawing.js";
 import type { Request } from "./fit.js";
@@ -33,7 +33,7 @@ function begin(root: Input, settings: Settings, options: TreemapOptions | undefi
   if (previous !== null && (typeof previous !== "object" || !("centroid" in previous)))
     throw new ApolloniusError(
       "bad-option",
-      `options.previous is ${described(previous)}, expected a root that treemap() has laid out`,
+      `options.previous is ${described(previous)}, expected a root with cells`,
     );
   const nodes = nodesOf(root);
   const values = valuesOf(nodes, settings);
@@ -111,10 +111,12 @@ function finish(
 function resultOf(cell: Cell | undefined, tolerance: number): TreemapCell {
   const frame = cell?.frame ?? { x: 0, y: 0, scale: 1 };
   const outline = cell?.outline ?? null;
+  let last: (CellCircle & { readonly of: number }) | undefined;
   const label = (options?: CellCircleOptions) => {
     const aspect = checkedAspect(options);
     if (outline === null) return null;
-    const { x, y, r } = innerCircle(outline.curves, aspect);
+    if (last?.of !== aspect) last = { ...innerCircle(outline.curves, aspect), of: aspect };
+    const { x, y, r } = last;
     return { x: frame.x + frame.scale * x, y: frame.y + frame.scale * y, r: frame.scale * r };
   };
   const render = (context?: PathContext | null, options?: DrawOptions) =>
@@ -133,11 +135,6 @@ function resultOf(cell: Cell | undefined, tolerance: number): TreemapCell {
   };
 }
 
-function checkFunction(name: string, value: unknown, other?: null): void {
-  if (typeof value === "function" || value === other) return;
-  throw new ApolloniusError("bad-option", `${name} is ${described(value)}, expected a function`);
-}
-
 const kMostRounds = 1000;
 
 /** Gives a setting as it is kept, or throws. What functions return is checked by the layout. */
@@ -151,8 +148,10 @@ function checkedSetting(name: keyof Settings, value: unknown): unknown {
         `rounds is ${value}, expected at most ${kMostRounds}`,
       );
   } else if (name === "sites") return checkedChoice(name, value, ["move", "stay"]);
-  else if (name !== "padding") checkFunction(name, value, null);
-  else if (typeof value !== "function") checkedPadding(name, value);
+  else if (typeof value === "function") return value;
+  else if (name === "padding") checkedPadding(name, value);
+  else if (value !== null)
+    throw new ApolloniusError("bad-option", `${name} is ${described(value)}, expected a function`);
   return value;
 }
 

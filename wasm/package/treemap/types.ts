@@ -76,7 +76,7 @@ export interface TreemapCell {
   /**
    * The largest circle inside the curved cell, for its name, or with `aspect` the largest ellipse,
    * as `cellCircle` has it: r is at least 0.999 of the largest possible. null without a value.
-   * Searched for in each call, in time about in proportion to the curves. Throws "not-finite",
+   * Some milliseconds, and nothing when the same aspect is asked for again. Throws "not-finite",
    * "out-of-range" (aspect), "bad-option", "no-convergence".
    */
   label(options?: CellCircleOptions): CellCircle | null;
@@ -176,8 +176,8 @@ export interface Treemap<Datum = unknown, Node extends TreemapNode<Datum> = Tree
 
   /**
    * The root's cell: bounds, a region, or a disc. It is read when it is set. Default: [0, 0, 1, 1].
-   * Throws "bad-bounds", and "not-finite", "out-of-range" (a disc). A region is read by the library:
-   * "not-loaded" where that is missing.
+   * Throws "bad-bounds", and "not-finite", "out-of-range" (a disc); "not-loaded" where a region is
+   * set before `load`, if that is needed.
    */
   shape(): TreemapShape;
   shape(shape: TreemapShape): this;
