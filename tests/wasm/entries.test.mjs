@@ -377,13 +377,16 @@ test("the entry with separate files has all names, and takes parts one by one", 
     await load({ ${partsOf(["core"])} });
     ${use}
     const codeOf = (call) => { try { call(); } catch (error) { return error.message; } };
-    console.log(codeOf(() => new SphericalDiagram()), typeof treemap);
+    const layout = treemap().shape({ x: 0, y: 0, r: 1 }).size([2, 1]);
+    console.log(codeOf(() => new SphericalDiagram()), layout.size().join());
+    console.log(codeOf(() => layout.shape([0, 0, 1, 0, 0, 1])), layout.size().join());
     console.log(codeOf(() => d.voronoi().cellAreas()), d.find(8, 0));
     await load({ ${partsOf(["shapes", "sphere"])} });
     ${useAll}`).split("\n"),
   ).toEqual([
     "1 2",
-    expect.stringMatching(/`await load\(\{ sphere: … \}\)` before .* function$/),
+    expect.stringMatching(/`await load\(\{ sphere: … \}\)` before .* 2,1$/),
+    expect.stringMatching(/`await load\(\{ shapes: … \}\)` before .* 2,1$/),
     expect.stringMatching(/`await load\(\{ shapes: … \}\)` before .* 1$/),
     "1",
     "2",

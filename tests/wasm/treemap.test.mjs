@@ -3,6 +3,7 @@ import { hierarchy, stratify } from "d3-hierarchy";
 import { treemap } from "../../build/packed/treemap.mjs";
 import { isThorough } from "../support/effort.mjs";
 import { generator } from "./support/random.mjs";
+import { expectRefusal } from "./support/refusal.mjs";
 import {
   areaOf,
   contains,
@@ -112,7 +113,7 @@ describe.each(["move", "stay"])("sites %s", (sites) => {
     const results = [1, 1, 2].map((seed) => {
       const root = layout().seed(seed).shape(box)(rootOf(flare));
       return JSON.stringify(
-        root.descendants().map(({ polygon, site, area }) => [polygon, site, area]),
+        root.descendants().map(({ polygon, circle, area }) => [polygon, circle, area]),
       );
     });
     expect(results[0]).toBe(results[1]);
@@ -137,18 +138,17 @@ test("moved sites make rounder cells", () => {
   expect(moved).toBeGreaterThan(0.77);
 });
 
-test("fields: centroid, site, fit, and the path of the curved cell", () => {
+test("fields: centroid, circle, fit, and the path of the curved cell", () => {
   const root = treemap().shape(box)(rootOf(flare));
-  expect([root.site, root.centroid]).toEqual([null, [450, 250]]);
+  expect([root.circle, root.centroid]).toEqual([null, [450, 250]]);
   const leaf = root.leaves()[0];
   expect(contains(leaf.polygon, leaf.centroid)).toBe(true);
-  expect(contains(leaf.polygon, [leaf.site.x, leaf.site.y])).toBe(true);
-  const { x, y, r } = leaf.label;
+  expect(contains(leaf.polygon, [leaf.circle.x, leaf.circle.y])).toBe(true);
+  const { x, y, r } = leaf.label();
   expect(contains(leaf.polygon, [x, y])).toBe(true);
   expect(distanceTo(leaf.polygon, [x, y])).toBeCloseTo(r, 1);
   expect(distanceTo(leaf.polygon, leaf.centroid)).toBeLessThan(r / 0.999 + 0.1);
-  expect(leaf.label).toBe(leaf.label); // looked for once
-  expect(root.label).toEqual({ x: expect.any(Number), y: 250, r: 250 });
+  expect(root.label()).toEqual({ x: expect.any(Number), y: 250, r: 250 });
   expect(leaf.fit).toBe(null);
   expect(root.fit).toMatchObject({ converged: true });
   const path = leaf.render(null, { digits: 2 });
@@ -175,6 +175,76 @@ test("a disc's root is drawn as a circle", () => {
   for (const [, x, y] of ends) expect(Math.hypot(x - 1, y - 2)).toBeCloseTo(3, 9);
 });
 
+/** Gives places along a drawing, `each` of them on a curve, and the number of curves. */
+function placesAlong(node, options, each) {
+  const places = [];
+  let curves = 0;
+  node.render(
+    {
+      moveTo: (x, y) => places.push([x, y]),
+      lineTo: (x, y) => places.push([x, y]),
+      bezierCurveTo(x1, y1, x2, y2, x, y) {
+        ++curves;
+        const [x0, y0] = places.at(-1);
+        for (let k = 1; k <= each; ++k) {
+          const [t, s] = [k / each, 1 - k / each];
+          const bezier = (a, b, c, d) =>
+            s * s * s * a + 3 * s * s * t * b + 3 * s * t * t * c + t * t * t * d;
+          places.push([bezier(x0, x1, x2, x), bezier(y0, y1, y2, y)]);
+        }
+      },
+      closePath() {},
+    },
+    options,
+  );
+  return { places, curves };
+}
+
+test.each([1, 1e-6, 1e6])("tolerance of a drawing, in the shape's unit: size %d", (scale) => {
+  // Very unequal values make arcs that turn far.
+  const data = flat(Array.from({ length: 6 }, (_, k) => 8 ** -k));
+  const { children } = treemap().size([900 * scale, 500 * scale])(rootOf(data));
+  const usual = 2 ** -13 * scale * Math.hypot(900, 500);
+  for (const leaf of children) {
+    const { places, curves } = placesAlong(leaf, { tolerance: 1e-90 }, 16);
+    const finest = [...places, places[0]];
+    const chords = 1e-3 * scale; // of the finest drawing's places
+    let before = curves;
+    expect(before).toBeLessThan(64 * 2 * children.length);
+    for (const tolerance of [0.01, 0.1, 1, 10, 1000].map((share) => share * scale)) {
+      const coarse = placesAlong(leaf, { tolerance }, 8);
+      const off = Math.max(...coarse.places.map((place) => distanceTo(finest, place)));
+      expect(off).toBeLessThan(tolerance + chords);
+      expect(coarse.curves).toBeLessThanOrEqual(before);
+      before = coarse.curves;
+    }
+    expect(before).toBe(0); // straight lines
+    const byDefault = placesAlong(leaf, {}, 8);
+    const off = Math.max(...byDefault.places.map((place) => distanceTo(finest, place)));
+    expect(off).toBeLessThan(Math.min(usual, 0.003 * Math.sqrt(leaf.area)) + chords);
+    expect(byDefault.curves).toBeGreaterThan(0);
+    expect(byDefault.curves).toBeLessThan(curves / 4);
+  }
+});
+
+test("label with an aspect: the largest ellipse, inside the cell", () => {
+  const root = treemap().shape(star)(rootOf(flare));
+  for (const leaf of root.leaves().filter((_, k) => k % 10 === 0)) {
+    for (const aspect of [0.25, 1, 4]) {
+      const { x, y, r } = leaf.label({ aspect });
+      leaf.label({ aspect }).x = NaN; // it is the caller's
+      expect(leaf.label({ aspect })).toEqual({ x, y, r });
+      const squeezed = leaf.polygon.map(([px, py]) => [px / aspect, py]);
+      const far = distanceTo(squeezed, [x / aspect, y]);
+      const tolerance = (0.02 * Math.sqrt(leaf.area)) / Math.min(1, aspect);
+      expect(contains(leaf.polygon, [x, y])).toBe(true);
+      expect(Math.abs(far - r)).toBeLessThan(tolerance);
+      for (const [px, py] of [leaf.centroid, [leaf.circle.x, leaf.circle.y]])
+        expect(distanceTo(squeezed, [px / aspect, py])).toBeLessThan(r / 0.999 + tolerance);
+    }
+  }
+});
+
 test("nodes without a value have no cell, as their children have none; the others fill all", () => {
   const data = {
     name: "all",
@@ -199,11 +269,16 @@ test("nodes without a value have no cell, as their children have none; the other
       area: 0,
       polygon: null,
       centroid: null,
-      label: null,
-      site: null,
+      circle: null,
       fit: null,
     });
-    expect(node.render()).toBe("");
+    expect([node.label(), node.label({ aspect: 2 }), node.render()]).toEqual([null, null, null]);
+    expect(node.render({ moveTo() {}, lineTo() {}, bezierCurveTo() {}, closePath() {} })).toBe(
+      undefined,
+    );
+    expectRefusal(() => node.render(null, { digits: -1 }), "out-of-range", "digits");
+    expectRefusal(() => node.render(null, { tolerance: -1 }), "out-of-range", "tolerance");
+    expectRefusal(() => node.label({ aspect: -1 }), "out-of-range", "aspect");
   }
   const nothing = treemap()(hierarchy({ name: "all" }).sum(() => 0));
   expect([nothing.polygon, nothing.area]).toEqual([null, 0]);
@@ -218,7 +293,7 @@ test("one leaf, only children, deep chains: they have all of their parent's cell
   expect(root.height).toBe(3001);
   expect(deviationOf(root)).toBeLessThan(1e-6);
   const [only] = root.children;
-  expect([only.polygon, only.fit, only.site]).toEqual([root.polygon, null, null]);
+  expect([only.polygon, only.fit, only.circle]).toEqual([root.polygon, null, null]);
 });
 
 test("deep levels of two children each: errors do not add up, however small cells become", () => {
@@ -299,7 +374,7 @@ test("stay: sites are where they are told to be", () => {
   const root = layout(rootOf(data));
   for (const {
     data: { name },
-    site: { x, y },
+    circle: { x, y },
   } of root.children) {
     expect(x).toBeCloseTo(places[name][0], 9);
     expect(y).toBeCloseTo(places[name][1], 9);
@@ -314,7 +389,7 @@ test("places outside the parent's cell, or twice, are replaced by free ones near
     .position(() => [300, 0]);
   const root = layout(rootOf(randomTree(40, 9)));
   expect(deviationOf(root)).toBeLessThan(1e-6);
-  const nearest = Math.min(...root.children.map(({ site: { x, y } }) => Math.hypot(x - 100, y)));
+  const nearest = Math.min(...root.children.map(({ circle: { x, y } }) => Math.hypot(x - 100, y)));
   expect(nearest).toBeLessThan(40);
 });
 

@@ -17,7 +17,7 @@ const bitsOf = (root) =>
   JSON.stringify(
     root
       .descendants()
-      .map(({ area, centroid, polygon, site, fit }) => [area, centroid, polygon, site, fit]),
+      .map(({ area, centroid, polygon, circle, fit }) => [area, centroid, polygon, circle, fit]),
   );
 
 test("the class of errors is the default entry's", () => {
@@ -39,7 +39,7 @@ test.each(["move", "stay"])("previous, sites %s: few steps a frame, and small mo
   const first = before.descendants().reduce((sum, { fit }) => sum + (fit?.iterations ?? 0), 0);
   for (let frame = 0; frame < 10; ++frame) {
     for (const [data, size] of sizes) sizes.set(data, size * (0.97 + 0.06 * random()));
-    const root = treemap().shape(box).sites(sites).previous(before)(next());
+    const root = treemap().shape(box).sites(sites)(next(), { previous: before });
     expect(deviationOf(root)).toBeLessThan(1e-6);
     const steps = root.descendants().flatMap(({ fit }) => fit?.iterations ?? []);
     expect(Math.max(...steps)).toBeLessThanOrEqual(4);
@@ -62,14 +62,12 @@ test("previous: the same root, other values; children that come and go; another 
   const data = randomTree(60, 12);
   const root = treemap().shape(box)(rootOf(data));
   root.sum(({ size = 0, name }) => (name === "leaf 3" ? 0 : size * (name === "leaf 5" ? 2 : 1)));
-  treemap().shape([0, 0, 800, 600]).previous(root)(root);
+  treemap().shape([0, 0, 800, 600])(root, { previous: root });
   expect(deviationOf(root)).toBeLessThan(1e-6);
   root.sum(({ size = 0 }) => size);
-  treemap().shape({ x: 0, y: 0, r: 5 }).previous(root)(root);
+  treemap().shape({ x: 0, y: 0, r: 5 })(root, { previous: root });
   expect(deviationOf(root)).toBeLessThan(1e-6);
-  const wholly = treemap()
-    .previous(root)
-    .key((_, k) => `other ${k}`)(rootOf(flare));
+  const wholly = treemap().key((_, k) => `other ${k}`)(rootOf(flare), { previous: root });
   expect(deviationOf(wholly)).toBeLessThan(1e-6);
 });
 
@@ -136,7 +134,7 @@ describe("previous: which node is which", () => {
     const [tree, nameOf] = cases[name];
     const first = layout()(tree(() => 1));
     const before = placesOf(first, nameOf);
-    const second = layout().previous(first)(tree(later));
+    const second = layout()(tree(later), { previous: first });
     expect(deviationOf(second)).toBeLessThan(1e-6);
     const ways = Array.from(placesOf(second, nameOf), ([own, [x, y]]) => {
       const [oldX, oldY] = before.get(own);
@@ -154,12 +152,11 @@ describe("previous: which node is which", () => {
     for (const sizes of [[1, 2, 3], [3, 2, 1], [5]]) {
       const root = summed(nameless(sizes));
       const message = "children of a node have no names, and other data: treemap().key";
-      expectRefusal(() => layout().previous(before)(root), "bad-option", message);
-      await expectRejection(() => layout().previous(before).async(root), "bad-option", message);
+      const options = { previous: before };
+      expectRefusal(() => layout()(root, options), "bad-option", message);
+      await expectRejection(() => layout().async(root, options), "bad-option", message);
       expect(root.children[0].polygon).toBe(undefined);
-      const byIndex = layout()
-        .previous(before)
-        .key((_, index) => index)(root);
+      const byIndex = layout().key((_, index) => index)(root, options);
       expect(deviationOf(byIndex)).toBeLessThan(1e-6);
     }
     // [key, value] is a pair of d3.rollup only below a Map; here a name comes second.
@@ -167,20 +164,20 @@ describe("previous: which node is which", () => {
       hierarchy({ children }).sum((data) => (Array.isArray(data) ? data[0] : 0));
     const ofPairs = layout()(pairs([1, "a"], [2, "b"]));
     const exchanged = pairs([2, "a"], [1, "b"]);
-    expectRefusal(() => layout().previous(ofPairs)(exchanged), "bad-option", "have no names");
+    expectRefusal(() => layout()(exchanged, { previous: ofPairs }), "bad-option", "have no names");
     const rowsOf = (...list) => groupsOf(list, () => "all");
     const ofRows = (...list) =>
       hierarchy(rowsOf(...list)).sum(([size]) => (typeof size === "number" ? size : 0));
     const grouped = layout()(ofRows([1, "a"], [2, "b"]));
     expectRefusal(
-      () => layout().previous(grouped)(ofRows([2, "a"], [1, "b"])),
+      () => layout()(ofRows([2, "a"], [1, "b"]), { previous: grouped }),
       "bad-option",
       'children of node the string "all" have no names',
     );
     const numbers = (...children) => hierarchy({ children }).sum((d) => (d > 0 ? d : 0));
     const message = "have no names";
     const old = layout()(numbers(1, 2));
-    expectRefusal(() => layout().previous(old)(numbers(1, 3)), "bad-option", message);
+    expectRefusal(() => layout()(numbers(1, 3), { previous: old }), "bad-option", message);
   });
 
   test("those without names may come, or may go", () => {
@@ -188,10 +185,10 @@ describe("previous: which node is which", () => {
     const of = (...children) => summed(hierarchy({ children }));
     let root = layout()(of(a, b));
     for (const next of [of(c, b, a), of(c), of(b, a, c)]) {
-      root = layout().previous(root)(next);
+      root = layout()(next, { previous: root });
       expect(deviationOf(root)).toBeLessThan(1e-6);
     }
-    expect(() => layout().previous(root)(of(a, b, { size: 4 }))).toThrow("have no names");
+    expect(() => layout()(of(a, b, { size: 4 }), { previous: root })).toThrow("have no names");
   });
 
   test("siblings of one key are refused, on either side", () => {
@@ -201,13 +198,12 @@ describe("previous: which node is which", () => {
       'children of node the string "all" have twice the key the string "a": treemap().key';
     const [twice, once] = [of("a", "b", "a"), of("a", "b", "c")];
     for (const root of [twice, once]) layout()(root);
-    expectRefusal(() => layout().previous(twice)(once), "bad-option", message);
-    expectRefusal(() => layout().previous(once)(twice), "bad-option", message);
-    const none = layout()
-      .previous(once)
-      .key(() => undefined);
-    expectRefusal(() => none(of("a", "b")), "bad-option", "have twice the key undefined");
-    layout().previous(twice)(twice); // each with itself
+    expectRefusal(() => layout()(once, { previous: twice }), "bad-option", message);
+    expectRefusal(() => layout()(twice, { previous: once }), "bad-option", message);
+    const none = layout().key(() => undefined);
+    const named = () => none(of("a", "b"), { previous: once });
+    expectRefusal(named, "bad-option", "have twice the key undefined");
+    layout()(twice, { previous: twice }); // each with itself
   });
 });
 
@@ -282,47 +278,100 @@ test("what is missing is named: values, a root", () => {
   expectRefusal(() => treemap()(flare), "bad-option", "root is an object, expected a node");
 });
 
+const line = [
+  [0, 0],
+  [1, 1],
+  [2, 2],
+];
 test.each([
-  ["shape", [[0, 0, 0, 1]], "bad-bounds", "xmin < xmax"],
-  [
-    "shape",
-    [
-      [
-        [0, 0],
-        [1, 1],
-        [2, 2],
-      ],
-    ],
-    "bad-bounds",
-    "",
-  ],
-  ["shape", [{ x: 0, y: 0, r: 0 }], "bad-bounds", "r of the disc is 0"],
-  ["shape", [{ x: 0, y: NaN, r: 1 }], "not-finite", "y of the disc is NaN"],
-  ["shape", ["M0,0"], "bad-option", 'shape is the string "M0,0"'],
-  ["value", [5], "bad-option", "value is 5, expected a function"],
-  ["padding", ["1"], "not-finite", 'padding is the string "1"'],
-  ["padding", [-1], "out-of-range", "is -1, expected 0 or more"],
-  ["padding", [() => NaN], "not-finite", "padding of node"],
-  ["sites", ["jump"], "bad-option", 'sites is the string "jump"'],
-  ["rounds", [1.5], "out-of-range", "rounds is 1.5"],
-  ["seed", [NaN], "not-finite", "seed is NaN"],
-  ["position", [() => [1]], "not-finite", "y of the position of node"],
-  ["position", [[0, 0]], "bad-option", "position is an array of 2"],
-  ["previous", [5], "bad-option", "previous is 5"],
-  ["key", ["id"], "bad-option", 'key is the string "id"'],
-])("%s(%j) is refused", (name, given, code, message) => {
+  ["shape", [0, 0, 0, 1], "bad-bounds", "xmin < xmax"],
+  ["shape", [0, 0, 1], "bad-bounds", "bounds is an array of 3"],
+  ["shape", [0, 0, 1, NaN], "bad-bounds", "ymax of bounds is NaN"],
+  ["shape", line, "bad-bounds", "the region has no area"],
+  ["shape", line.slice(1), "bad-bounds", "ring 0 of the region has 2 points"],
+  ["shape", { type: "Point" }, "bad-bounds", "an object of type Point"],
+  ["shape", {}, "bad-bounds", "bounds is an object"],
+  ["shape", { x: 0, y: 0, r: 0 }, "bad-bounds", "r of the disc is 0"],
+  ["shape", { x: 0, y: NaN, r: 1 }, "not-finite", "y of the disc is NaN"],
+  ["shape", { x: 0, y: 0, r: 1e101 }, "out-of-range", "r of the disc is 1e+101"],
+  ["shape", "M0,0", "bad-bounds", 'bounds is the string "M0,0"'],
+  ["shape", null, "bad-bounds", "bounds is null"],
+  ["size", [5, 0], "bad-bounds", "[0, 0, 5, 0]"],
+  ["size", [-5, 1], "bad-bounds", "[0, 0, -5, 1]"],
+  ["size", [NaN, 1], "bad-bounds", "xmax of bounds is NaN"],
+  ["size", [5], "bad-bounds", "size is an array of 1, expected [width, height]"],
+  ["size", 5, "bad-bounds", "size is 5, expected [width, height]"],
+  ["value", 5, "bad-option", "value is 5, expected a function"],
+  ["padding", "1", "not-finite", 'padding is the string "1"'],
+  ["padding", -1, "out-of-range", "padding is -1, expected 0 or more"],
+  ["padding", null, "not-finite", "padding is null"],
+  ["sites", "jump", "bad-option", 'sites is the string "jump"'],
+  ["rounds", 1.5, "out-of-range", "rounds is 1.5"],
+  ["rounds", 1001, "out-of-range", "rounds is 1001, expected at most 1000"],
+  ["seed", NaN, "not-finite", "seed is NaN"],
+  ["position", [0, 0], "bad-option", "position is an array of 2"],
+  ["key", "id", "bad-option", 'key is the string "id"'],
+])("%s(%j) is refused when it is set, and what was set stays", (name, given, code, message) => {
+  const layout = treemap();
+  const before = layout[name]();
+  expectRefusal(() => layout[name](given), code, message);
+  expect(layout[name]()).toEqual(before);
+  expect(layout(rootOf(flat([1, 2]))).area).toBe(1);
+});
+
+test.each([
+  ["padding", () => NaN, "not-finite", 'padding of node the string "all" is NaN'],
+  ["padding", () => -1, "out-of-range", 'padding of node the string "all" is -1, expected 0'],
+  ["position", () => [1], "not-finite", "y of the position of node"],
+  ["position", () => null, "not-finite", "x of the position of node"],
+])("%s: what functions return is refused by the layout", (name, given, code, message) => {
   const root = rootOf(flat([1, 2]));
-  expectRefusal(() => treemap()[name](...given)(root), code, message);
+  expectRefusal(() => treemap()[name](given)(root), code, message);
   expect(root.children[0].polygon).toBe(undefined);
 });
 
 test("options that are unknown, and contexts that cannot draw, are refused", async () => {
   const root = treemap()(rootOf(flat([1, 2])));
-  await expectRejection(() => treemap().async(root, { progress() {} }), "bad-option", "progress");
+  const refused = [
+    [{ progress() {} }, "progress is unknown"],
+    [{ prevous: root }, "prevous is unknown"],
+    [root, "options.data is unknown"],
+    [{ previous: 5 }, "previous is 5, expected a root with cells"],
+    [{ previous: rootOf(flare) }, "previous is an object, expected a root with"],
+    [{ previous: flare }, "previous is an object, expected a root with"],
+  ];
+  for (const [options, message] of refused) {
+    expectRefusal(() => treemap()(root, options), "bad-option", message);
+    await expectRejection(() => treemap().async(root, options), "bad-option", message);
+  }
+  expectRefusal(() => treemap()(root, { signal: undefined }), "bad-option", "signal is unknown");
   await expectRejection(() => treemap().async(root, { signal: 1 }), "bad-option", "signal");
   expectRefusal(() => root.render({}), "bad-option", "context is an object without moveTo()");
   expectRefusal(() => root.render(null, { digits: 99 }), "out-of-range", "digits is 99");
-  expectRefusal(() => root.render(null, { tolerance: 1 }), "bad-option", "tolerance");
+  expectRefusal(() => root.render(null, { tolerance: 0 }), "out-of-range", "tolerance is 0");
+  expectRefusal(() => root.render(null, { tolerance: NaN }), "not-finite", "tolerance is NaN");
+  expectRefusal(() => root.render(null, { width: 1 }), "bad-option", "width is unknown");
+  expectRefusal(() => root.label({ aspect: 0 }), "out-of-range", "aspect is 0");
+  expectRefusal(() => root.label({ ratio: 2 }), "bad-option", "ratio is unknown");
+});
+
+test("no previous layout: null and undefined; one without any cell", () => {
+  const bits = bitsOf(treemap()(rootOf(flare)));
+  const nothing = treemap()(rootOf({ name: "flare" }));
+  for (const options of [undefined, null, {}, { previous: null }, { previous: undefined }])
+    expect(bitsOf(treemap()(rootOf(flare), options))).toBe(bits);
+  expect(bitsOf(treemap()(rootOf(flare), { previous: nothing }))).toBe(bits);
+});
+
+test("a layout keeps no tree: previous counts for one call", async () => {
+  const layout = treemap();
+  const first = layout(rootOf(flat([1, 2, 3])));
+  const bits = bitsOf(layout(rootOf(flat([3, 1, 2]))));
+  const options = { previous: first };
+  const moved = bitsOf(layout(rootOf(flat([3, 1, 2])), options));
+  expect(moved).not.toBe(bits);
+  expect(bitsOf(await layout.async(rootOf(flat([3, 1, 2])), options))).toBe(moved);
+  expect(bitsOf(layout(rootOf(flat([3, 1, 2]))))).toBe(bits);
 });
 
 test("methods say what is set, and return the layout", () => {
@@ -335,7 +384,6 @@ test("methods say what is set, and return the layout", () => {
     rounds: 3,
     position: () => [1, 2],
     seed: 4,
-    previous: null,
     key: null,
   };
   expect(layout.shape()).toEqual([0, 0, 1, 1]);
@@ -345,45 +393,161 @@ test("methods say what is set, and return the layout", () => {
   }
 });
 
-test("types: nodes of d3-hierarchy come back as nodes with cells, on all levels", () => {
+test("size: bounds from the origin on, and null for any other shape", () => {
+  const layout = treemap();
+  expect(layout.size()).toEqual([1, 1]);
+  expect(layout.size(Float32Array.of(30, 20))).toBe(layout);
+  expect([layout.size(), layout.shape()]).toEqual([
+    [30, 20],
+    [0, 0, 30, 20],
+  ]);
+  expect(layout(rootOf(flare)).area).toBe(600);
+  const square = [0, 0, 0, 5, 5, 5, 5, 0];
+  for (const shape of [{ x: 0, y: 0, r: 1 }, [0, 1, 2, 3], [1, 0, 2, 3], square]) {
+    expect(layout.shape(shape).size()).toBe(null);
+    expect(layout.shape()).toBe(shape);
+  }
+  expect(layout.shape([0, 0, 7, 8]).size()).toEqual([7, 8]);
+});
+
+test("a shape is read when it is set", () => {
+  const triangle = [
+    [0, 0],
+    [4, 0],
+    [0, 3],
+  ];
+  for (const [shape, area, spoilt] of [
+    [[0, 0, 2, 1], 2, { 2: NaN }],
+    [triangle, 6, { length: 1 }],
+    [{ x: 0, y: 0, r: 2 }, 4 * Math.PI, { r: -1 }],
+  ]) {
+    const layout = treemap().shape(shape);
+    Object.assign(shape, spoilt);
+    const [first, second] = [1, 2].map(() => layout(rootOf(flat([1, 2, 3]))));
+    expect(first.area).toBeCloseTo(area, 9);
+    expect(first.fit.converged).toBe(true);
+    expect(bitsOf(second)).toBe(bitsOf(first));
+  }
+});
+
+test("types: nodes of d3-hierarchy, and plain ones, come back with cells, on all levels", () => {
   const folder = path.join(packed, "treemap-types");
   mkdirSync(folder, { recursive: true });
   writeFileSync(
     path.join(folder, "use.ts"),
     `
-import { treemap, type TreemapCell } from "apollonius-diagram/treemap";
+import {
+  treemap, type Treemap, type TreemapCell, type TreemapNode, type TreemapShape, type WithCells,
+} from "apollonius-diagram/treemap";
 // as @types/d3-hierarchy has it
-declare class HierarchyNode<Datum> {
+interface HierarchyNode<Datum> {
+  new (data: Datum): this;
   data: Datum;
   readonly depth: number;
   readonly height: number;
-  readonly parent: this | null;
+  parent: this | null;
   children?: this[] | undefined;
   readonly id?: string | undefined;
   readonly value?: number | undefined;
+  x?: number | undefined;
   leaves(): this[];
+  find(filter: (node: this) => boolean): this | undefined;
+  each<T = undefined>(visit: (this: T, node: this, index: number) => void, that?: T): this;
+  sort(compare: (a: this, b: this) => number): this;
   sum(value: (d: Datum) => number): this;
+  [Symbol.iterator](): Iterator<this>;
 }
 interface File { name: string; size?: number }
-declare const plain: HierarchyNode<File>;
+declare const root: HierarchyNode<File>;
+declare const [w, h]: [number, number];
+declare const c: CanvasRenderingContext2D;
+for (const leaf of treemap().size([w, h])(root).leaves()) {
+  const p = leaf.label({ aspect: 4 });
+  if (p) c.fillText(leaf.data.name, p.x, p.y);
+}
+
 const layout = treemap<File>().shape([0, 0, 2, 1]).value((d) => d.size).padding(3).seed(1)
   .position((node) => [node.data.name.length, 2]);
-const root = layout(plain.sum((d) => d.size ?? 0));
-const area: number = root.leaves()[0]!.area + root.children![0]!.children![0]!.area;
-const polygon: [number, number][] | null = root.children![0]!.polygon;
-const path: string = root.leaves()[0]!.render(null, { digits: 1 });
-const cell: TreemapCell = root;
-const depth: number = root.depth;
-layout.previous(root);
-async function slices() {
-  const later = await layout.async(plain, { signal: new AbortController().signal });
+const laid = layout(root.sum((d) => d.size ?? 0));
+export const area: number = laid.leaves()[0]!.area + laid.children![0]!.children![0]!.area;
+export const polygon: [number, number][] | null = laid.children![0]!.polygon;
+export const path: string | null = laid.leaves()[0]!.render(null, { digits: 1, tolerance: 0.1 });
+export const cell: TreemapCell = laid;
+export const depth: number = laid.depth + laid.children![0]!.parent!.area;
+declare const context: CanvasRenderingContext2D | null;
+export const drawn: string | null | void = laid.render(context, { tolerance: 1 });
+laid.find(({ area }) => area > 1)?.circle?.r.toFixed();
+laid.each((node) => node.centroid?.[0].toFixed() ?? node.data.name);
+for (const { fit } of laid) fit?.iterations.toFixed();
+const size: [number, number] | null = layout.size();
+const shapes: TreemapShape[] = [[0, 0, 1, 1], { x: 0, y: 0, r: 1 }, [[0, 0], [1, 0], [0, 1]]];
+
+// Functions of d3's nodes.
+const d3Layout: Treemap<File, HierarchyNode<File>> = treemap<File, HierarchyNode<File>>()
+  .padding((node) => 8 - node.depth - (node.parent?.depth ?? 0))
+  .position((node) => [node.height, node.leaves().length])
+  .key((node, k) => node.parent?.data.name ?? k);
+let last: WithCells<HierarchyNode<File>> | null = null;
+for (let frame = 0; frame < 3; ++frame) last = d3Layout(root, { previous: last });
+export async function slices() {
+  const { signal } = new AbortController();
+  const onProgress = (share: number) => share.toFixed();
+  const later = await layout.async(root, { previous: laid, signal, onProgress });
+  last = await d3Layout.async(root, { previous: last });
   return later.leaves()[0]!.centroid?.[0];
 }
+
+// Plain trees.
+interface Plain { data: File; value: number; group: number; children?: Plain[] }
+declare const plain: Plain;
+const plainly = treemap<File>()(plain);
+for (const child of plainly.children ?? []) {
+  const p = child.label();
+  if (p) c.fillText(child.data.name, p.x + child.group, p.y);
+  for (const { area, group } of child.children ?? []) area + group;
+}
+const deep = plainly.children!.flatMap(({ children }) => children ?? []);
+export const deepAreas: number[] = deep.map(({ area, group }) => area + group);
+const same: Plain = plainly;
+const again = treemap<File, Plain>().padding(({ group }) => group)(plain, { previous: plainly });
+function visit(node: WithCells<Plain>): number {
+  return node.children?.reduce((sum, child) => sum + visit(child), 0) ?? node.area;
+}
+visit(again);
+const literal = treemap()({
+  data: "all",
+  value: 3,
+  children: [{ data: "a", value: 1 }, { data: "b", value: 2, children: [{ data: "c", value: 2 }] }],
+});
+export const ofLiteral: number = literal.children[1]!.area;
+declare const any: TreemapNode<File>;
+treemap<File>()(any).children?.[0]?.children?.[0]?.area.toFixed();
+class Own {
+  data = "x";
+  value = 1;
+  children: Own[] = [];
+  parent: Own | null = null;
+}
+export const ofOwn: number = treemap()(new Own()).children[0]!.parent!.area;
+export const areaOf = <Node extends TreemapNode<File>>(node: Node) => treemap<File>()(node).area;
+
 // @ts-expect-error: no such sites
 layout.sites("jump");
 // @ts-expect-error: no node
 layout({ name: "x" });
-export { area, polygon, path, cell, depth, slices };
+// @ts-expect-error: other data
+treemap<{ other: number }>()(root);
+// @ts-expect-error: plain nodes have no depth
+treemap<File>().padding((node) => 8 - node.depth);
+// @ts-expect-error: not laid out
+layout(root, { previous: root });
+// @ts-expect-error: that one cannot be aborted
+layout(root, { signal: new AbortController().signal });
+// @ts-expect-error: a width and a height
+layout.size([1, 2, 3]);
+// @ts-expect-error: no such option
+laid.label({ ratio: 2 });
+export { size, shapes, same, slices as later };
 `,
   );
   const options = { strict: true, exactOptionalPropertyTypes: true, skipLibCheck: false };
@@ -394,7 +558,8 @@ export { area, polygon, path, cell, depth, slices };
       module,
       moduleResolution,
       target: "es2022",
-      noEmit: true,
+      declaration: true,
+      outDir: path.join(folder, "out"),
     };
     const all = { ...compilerOptions, lib: ["es2022", "esnext.disposable", "dom"], types: [] };
     writeFileSync(

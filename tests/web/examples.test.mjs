@@ -331,11 +331,11 @@ describeInBrowser("examples", (open) => {
       // Names are in their cells: the corners of their boxes are.
       const cut = [...document.querySelectorAll("svg text")].filter((text) => {
         const { x, y, width, height } = text.getBBox();
-        const leaf = text.__data__;
+        const { leaf, ...name } = text.__data__;
         shape.setAttribute("d", leaf.render());
         return [0, 1, 2, 3].some((corner) => {
-          const px = leaf.label.x + x + (corner & 1 ? width : 0);
-          const py = leaf.label.y + y + (corner & 2 ? height : 0);
+          const px = name.x + x + (corner & 1 ? width : 0);
+          const py = name.y + y + (corner & 2 ? height : 0);
           return !shape.isPointInFill(new DOMPoint(px, py));
         });
       });

@@ -35,7 +35,6 @@ export default async function nested(container) {
     .sort((a, b) => b.value - a.value);
   const layout = treemap().shape(outline);
   const root = await layout.async(tree);
-  layout.previous(root);
   for (const { data } of root.leaves()) sizes.set(data, data.size);
   const colours = new Map(root.leaves().map((leaf) => [leaf, colour(leaf)]));
 
@@ -93,7 +92,7 @@ export default async function nested(container) {
       sizes.set(data, size);
       return size;
     });
-    layout(root);
+    layout(root, { previous: root });
     draw();
     if (isMoving) requestAnimationFrame(frame);
   }

@@ -16,8 +16,11 @@ const outline = Array.from({ length: 360 }, (_, k) => {
   ];
 });
 
-/** So that a name fits into the largest circle in its cell. */
-const fontSize = ({ label, data }) => (2 * label.r) / Math.hypot(1.2, 0.75 * data.name.length);
+/** Where the name of a leaf fits into its cell, in which size: in the largest circle. */
+function nameOf(leaf) {
+  const { x, y, r } = leaf.label();
+  return { leaf, x, y, size: (2 * r) / Math.hypot(1.2, 0.75 * leaf.data.name.length) };
+}
 const hues = [212, 4, 150, 42, 290, 85];
 
 export default async function economies(container) {
@@ -53,13 +56,18 @@ export default async function economies(container) {
     .attr("stroke-width", 4);
   svg
     .selectAll("text")
-    .data(root.leaves().filter((d) => fontSize(d) > 5))
+    .data(
+      root
+        .leaves()
+        .map(nameOf)
+        .filter(({ size }) => size > 5),
+    )
     .join("text")
-    .attr("transform", (d) => `translate(${d.label.x}, ${d.label.y})`)
+    .attr("transform", (d) => `translate(${d.x}, ${d.y})`)
     .attr("text-anchor", "middle")
     .attr("dy", "0.35em")
-    .attr("font-size", (d) => Math.min(24, fontSize(d)))
+    .attr("font-size", (d) => Math.min(24, d.size))
     .attr("pointer-events", "none")
-    .text((d) => d.data.name);
+    .text((d) => d.leaf.data.name);
   return { root };
 }

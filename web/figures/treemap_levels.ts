@@ -1,5 +1,5 @@
 // A tree of three levels as cells within cells: the hours of a week. The hours are invented.
-import { type TreemapCell, treemap } from "apollonius-diagram/treemap";
+import { treemap, type WithCells } from "apollonius-diagram/treemap";
 import { figure, type Point, type Size } from "../figure/figure.js";
 import { drawPointer, type LookName, type Pen } from "../figure/pen.js";
 
@@ -37,7 +37,7 @@ type Node = {
   path: string;
   children?: Node[];
 };
-type Laid = Node & TreemapCell;
+type Laid = WithCells<Node>;
 type State = { size: Size; root: Laid; level: number; pointer: Point | null };
 
 /** As d3-hierarchy makes nodes: a value is the sum of what is below. */
@@ -52,15 +52,15 @@ function nodeOf(name: string, inside: number | Tree, depth = 0, path = "", group
   return { data: { name }, value, depth, group, path: path + name, children };
 }
 
-const childrenOf = ({ children = [] }: Node) => children as Laid[];
+const childrenOf = ({ children = [] }: Laid) => children;
 const onLevel = (root: Laid, level: number): Laid[] =>
   level === 0 ? [root] : childrenOf(root).flatMap((child) => onLevel(child, level - 1));
 
 /** The cell that a point is in: on each level that of the nearest circle. */
 function cellAt(node: Laid, level: number, [x, y]: Point): Laid {
   if (level === 0) return node;
-  const distance = ({ site }: Laid) =>
-    site ? Math.hypot(x - site.x, y - site.y) - site.r : Infinity;
+  const distance = ({ circle }: Laid) =>
+    circle ? Math.hypot(x - circle.x, y - circle.y) - circle.r : Infinity;
   const nearest = childrenOf(node).reduce((a, b) => (distance(b) < distance(a) ? b : a));
   return cellAt(nearest, level - 1, [x, y]);
 }
@@ -79,15 +79,15 @@ function drawName(pen: Pen, { data: { name }, area, centroid }: Laid) {
 export default figure<State>({
   size: { wide: [740, 420], narrow: [370, 460] },
   start(size) {
-    const layout = treemap<Datum>().shape([0, 0, ...size]);
+    const layout = treemap<Datum>().size(size);
     return { size, root: layout(nodeOf("Week", kWeek)), level: 3, pointer: null };
   },
   draw(pen, { size, root, level, pointer }) {
     const under = pointer && cellAt(root, level, pointer);
     for (const cell of onLevel(root, level))
-      pen.path(cell.render(), cell === under ? "nearestCell" : kFills[cell.group]);
+      pen.path(cell.render() ?? "", cell === under ? "nearestCell" : kFills[cell.group]);
     for (let depth = level; depth > 0; depth--)
-      for (const cell of onLevel(root, depth)) pen.path(cell.render(), kOutlines[depth - 1]);
+      for (const cell of onLevel(root, depth)) pen.path(cell.render() ?? "", kOutlines[depth - 1]);
     for (const cell of onLevel(root, level)) drawName(pen, cell);
     pen.rectangle(0, 0, ...size, "frame");
     if (pointer) drawPointer(pen, ...pointer);

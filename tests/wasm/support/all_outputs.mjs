@@ -231,8 +231,10 @@ function addTreemap({ treemap }, bytes) {
   for (const shape of [[0, 0, 300, 200], { x: 5, y: 5, r: 90 }]) {
     const laid = treemap().shape(shape).padding(2)(structuredClone(root));
     const visit = (node) => {
-      const { area, centroid, polygon, label, circle, fit } = node;
-      bytes.add([area, centroid, polygon, label, circle, fit, node.render?.(null)]);
+      const { area, centroid, polygon, circle, fit } = node;
+      bytes.add([area, centroid, polygon, circle, fit]);
+      bytes.add([node.label(), node.label({ aspect: 3 })]);
+      bytes.add([node.render(), node.render(null, { tolerance: 1 })]);
       for (const child of node.children ?? []) visit(child);
     };
     visit(laid);

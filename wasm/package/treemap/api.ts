@@ -3,13 +3,15 @@ export { treemap } from "./layout.js";
 export type {
   Disc,
   Treemap,
+  TreemapAsyncOptions,
   TreemapCell,
   TreemapFit,
-  TreemapInput,
+  TreemapNode,
   TreemapOptions,
   TreemapShape,
+  WithCells,
 } from "./types.js";
 export type { DrawOptions, PathContext } from "../core/path.js";
 export type { GeoJSONRegion, Region, Ring } from "../shapes/region.js";
-export type { CellCircle } from "../shapes/types.js";
+export type { CellCircle, CellCircleOptions } from "../shapes/types.js";
 export type { Bounds, Position, Site } from "../core/types.js";

@@ -1,10 +1,11 @@
 // Cells of nodes while a treemap is made, each in a frame of its own: so areas of small cells deep
 // down are as exact as those of large ones.
-import { numberError } from "../core/arguments.js";
+import { checkedBounds, checkNumber } from "../core/arguments.js";
 import { Diagram } from "../core/diagram.js";
-import type { Site } from "../core/types.js";
+import type { Bounds, Site } from "../core/types.js";
 import { ApolloniusError } from "../errors.js";
 import { voronoi } from "../shapes/functions.js";
+import { isRegion } from "../shapes/region.js";
 import { Voronoi } from "../shapes/voronoi.js";
 import { inset } from "./inset.js";
 import { circle, type Outline, outlineOf, polygonOf, type Rings } from "./outline.js";
@@ -34,7 +35,7 @@ export interface Cell {
   readonly x: number;
   readonly y: number;
   /** Outside the frame, in the shape's coordinates. */
-  readonly site: Site | null;
+  readonly circle: Site | null;
   fit: TreemapFit | null;
 }
 
@@ -48,24 +49,48 @@ function isDisc(shape: unknown): shape is Disc {
   return typeof shape === "object" && shape !== null && "r" in shape;
 }
 
-/** The cell of the root, and the tolerance of polygons: in all of the shape. */
-export function rootCell(shape: TreemapShape): { cell: Cell; tolerance: number } {
-  const { frame, outline } = isDisc(shape) ? discOf(shape) : regionOf(shape);
+interface Framed {
+  readonly frame: Frame;
+  readonly outline: Outline;
+  readonly bounds?: Bounds;
+}
+
+/** A shape as it was when it was set, and the bounds that it was. */
+export interface Shape extends Pick<Framed, "bounds"> {
+  /** The cell of the root. */
+  readonly cell: Cell;
+  /** Of polygons and drawings in all of the shape. */
+  readonly tolerance: number;
+}
+
+export function shapeOf(shape: TreemapShape): Shape {
+  const framed = isDisc(shape)
+    ? discOf(shape)
+    : isRegion(shape)
+      ? regionOf(shape)
+      : boundsOf(shape);
+  const { frame, outline } = framed;
   const corners = polygonOf(outline, () => 1);
   const { xmin, ymin, xmax, ymax } = boxOf(corners);
   const diagonal = Math.sqrt((xmax - xmin) ** 2 + (ymax - ymin) ** 2);
   const polygon = (factor: number) =>
     polygonOf(outline, () => factor * kToleranceOfShape * diagonal);
   const rings = polygon(1);
-  const cell = { frame, outline, polygon, rings, ...momentsOf(rings), site: null, fit: null };
-  return { cell, tolerance: kToleranceOfShape * diagonal * frame.scale };
+  const cell = { frame, outline, polygon, rings, ...momentsOf(rings), circle: null, fit: null };
+  return { ...framed, cell, tolerance: kToleranceOfShape * diagonal * frame.scale };
 }
 
-function discOf({ x, y, r }: Disc): { frame: Frame; outline: Outline } {
-  for (const [name, value] of Object.entries({ x, y, r })) {
-    const error = numberError(`${name} of the disc`, value);
-    if (error) throw error;
-  }
+function boundsOf(shape: unknown): Framed {
+  const bounds = checkedBounds(shape);
+  const [xmin, ymin, xmax, ymax] = bounds;
+  const frame = frameOf({ xmin, ymin, xmax, ymax });
+  const ring = Float64Array.of(xmin, ymin, xmax, ymin, xmax, ymax, xmin, ymax);
+  return { frame, outline: outlineOf(movedInto(frame, [ring])), bounds };
+}
+
+function discOf({ x, y, r }: Disc): Framed {
+  for (const [name, value] of Object.entries({ x, y, r }))
+    checkNumber(`${name} of the disc`, value);
   if (!(r > 0)) throw new ApolloniusError("bad-bounds", `r of the disc is ${r}, expected above 0`);
   const frame = frameOf({ xmin: x - r, xmax: x + r, ymin: y - r, ymax: y + r });
   const { curves, starts } = circle();
@@ -77,7 +102,7 @@ function discOf({ x, y, r }: Disc): { frame: Frame; outline: Outline } {
 }
 
 /** As the library reads it: rings, each with its inside on the left. */
-function regionOf(shape: Exclude<TreemapShape, Disc>): { frame: Frame; outline: Outline } {
+function regionOf(shape: Exclude<TreemapShape, Disc>): Framed {
   using diagram = new Diagram([0, 0, 0]);
   using view = voronoi(diagram, shape);
   const outline = view.cellCurves(0);
@@ -96,10 +121,10 @@ export function windowOf(cell: Cell, padding: number, factor: number): Window {
 
 /** The cell of an only child: all of the window. */
 export function onlyCell(cell: Cell, { frame, rings }: Window, padding: number): Cell {
-  if (!(padding > 0)) return { ...cell, site: null, fit: null };
+  if (!(padding > 0)) return { ...cell, circle: null, fit: null };
   const outline = outlineOf(rings);
   const polygon = () => rings;
-  return { frame, outline, polygon, rings, ...momentsOf(rings), site: null, fit: null };
+  return { frame, outline, polygon, rings, ...momentsOf(rings), circle: null, fit: null };
 }
 
 /** The cells of all sites of a diagram in a window, by id; `tolerance` is of the whole shape. */
@@ -126,7 +151,7 @@ export function cellsIn(view: Voronoi, { frame }: Window, tolerance: number): Ce
       area,
       x: centroidX,
       y: centroidY,
-      site: {
+      circle: {
         x: frame.x + frame.scale * xyr[3 * id]!,
         y: frame.y + frame.scale * xyr[3 * id + 1]!,
         r: frame.scale * xyr[3 * id + 2]!,

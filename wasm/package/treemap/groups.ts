@@ -4,7 +4,7 @@ import { described } from "../core/arguments.js";
 import { Diagram } from "../core/diagram.js";
 import { ApolloniusError } from "../errors.js";
 import { voronoi } from "../shapes/functions.js";
-import { type Cell, cellsIn, onlyCell, rootCell, type Window, windowOf } from "./cells.js";
+import { type Cell, cellsIn, onlyCell, type Window, windowOf } from "./cells.js";
 import { circlesOf, fitted, type Limits, type Start, type Work } from "./fit.js";
 import { randomOf, settled, spread } from "./places.js";
 import { isInside, momentsOf } from "./rings.js";
@@ -33,16 +33,17 @@ interface Group {
   readonly random: () => number;
 }
 
-/** All nodes with a cell. */
+/** All nodes with a cell; `previous` is an earlier layout, or null. */
 export function* layOut(
   root: Input,
   values: ReadonlyMap<Input, number>,
   settings: Settings,
+  previous: Input | null,
 ): Work<Map<Input, Cell>> {
   const cells = new Map<Input, Cell>();
   if (!(values.get(root)! > 0)) return cells;
-  const { cell, tolerance } = rootCell(settings.shape);
-  cells.set(root, cell);
+  const { cell, tolerance } = settings.shape;
+  cells.set(root, { ...cell });
   const groups = new Map<Input, readonly Input[]>();
   for (const node of values.keys()) {
     const children = childrenOf(node).filter((child) => values.get(child)! > 0);
@@ -51,7 +52,7 @@ export function* layOut(
   const error = kError / levelsOf(values, groups);
   const all = [...groups.values()].reduce((sum, { length }) => sum + length, 0);
   const before = new Map<Input, Input>();
-  if (settings.previous !== null) before.set(root, settings.previous);
+  if (previous !== null) before.set(root, previous);
   let [which, finished] = [0, 0];
   for (const [node, children] of groups) {
     ++which;
@@ -200,8 +201,8 @@ function startOf(
     const [oldX, oldY] = old.centroid;
     children.forEach((child, k) => {
       const match = before.get(child);
-      if (!match?.site) return;
-      const { x, y, r } = match.site;
+      if (!match?.circle) return;
+      const { x, y, r } = match.circle;
       const [toX, toY] = match.centroid ?? [x, y];
       const way = settings.sites === "move" ? kWayOfFrame : 0;
       const [newX, newY] = [x + way * (toX - x), y + way * (toY - y)];

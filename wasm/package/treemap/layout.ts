@@ -5,25 +5,39 @@ import {
   checkNumber,
   checkOptions,
   described,
+  isArrayLike,
 } from "../core/arguments.js";
 import { Slices } from "../core/building.js";
 import type { DrawOptions, PathContext } from "../core/path.js";
 import { ApolloniusError } from "../errors.js";
-import { innerCircle } from "../shapes/inner_circle.js";
-import type { CellCircle, FittedAreas } from "../shapes/types.js";
-import type { Cell } from "./cells.js";
+import { checkedAspect, innerCircle } from "../shapes/inner_circle.js";
+import type { CellCircle, CellCircleOptions, FittedAreas } from "../shapes/types.js";
+import { type Cell, shapeOf } from "./cells.js";
 import { drawOutline } from "./drawing.js";
 import type { Request } from "./fit.js";
 import { layOut } from "./groups.js";
 import { joined } from "./rings.js";
-import { type Input, nodesOf, type Settings, valuesOf } from "./settings.js";
-import type { Treemap, TreemapCell, TreemapOptions } from "./types.js";
+import { checkedPadding, type Input, nodesOf, type Settings, valuesOf } from "./settings.js";
+import type {
+  Treemap,
+  TreemapAsyncOptions,
+  TreemapCell,
+  TreemapNode,
+  TreemapOptions,
+  TreemapShape,
+} from "./types.js";
 
 /** What is begun: nodes, values, and the work on their cells. */
-function begin(root: Input, settings: Settings) {
+function begin(root: Input, settings: Settings, options: TreemapOptions | undefined) {
+  const previous = options?.previous ?? null;
+  if (previous !== null && (typeof previous !== "object" || !("centroid" in previous)))
+    throw new ApolloniusError(
+      "bad-option",
+      `options.previous is ${described(previous)}, expected a root with cells`,
+    );
   const nodes = nodesOf(root);
   const values = valuesOf(nodes, settings);
-  return { nodes, values, work: layOut(root, values, settings) };
+  return { nodes, values, work: layOut(root, values, settings, previous) };
 }
 
 /** One step of the work: answers a request, with what came of it or with the error. */
@@ -34,8 +48,9 @@ function answered<Result>(
   return "found" in answer ? work.next(answer.found) : work.throw(answer.failure);
 }
 
-function layOutAtOnce(root: Input, settings: Settings): void {
-  const { nodes, values, work } = begin(root, settings);
+function layOutAtOnce(root: Input, settings: Settings, options: TreemapOptions | undefined): void {
+  checkOptions(options, "previous");
+  const { nodes, values, work } = begin(root, settings, options);
   let step = work.next();
   while (!step.done) {
     const { view, targets, options } = step.value;
@@ -53,12 +68,12 @@ function layOutAtOnce(root: Input, settings: Settings): void {
 async function layOutInSlices(
   root: Input,
   settings: Settings,
-  options: TreemapOptions | undefined,
+  options: TreemapAsyncOptions | undefined,
 ): Promise<void> {
-  checkOptions(options, "signal", "onProgress");
+  checkOptions(options, "previous", "signal", "onProgress");
   const slices = new Slices(options ?? {});
   const { signal } = options ?? {};
-  const { nodes, values, work } = begin(root, settings);
+  const { nodes, values, work } = begin(root, settings, options);
   try {
     let step = work.next();
     while (!step.done) {
@@ -85,58 +100,46 @@ function finish(
   nodes: readonly Input[],
   values: ReadonlyMap<Input, number>,
   cells: ReadonlyMap<Input, Cell>,
-  { value }: Settings,
+  { value, shape }: Settings,
 ): void {
   for (const node of nodes) {
     if (value !== null) Object.assign(node, { value: values.get(node) });
-    Object.assign(node, resultOf(cells.get(node)));
-    defineLabel(node, cells.get(node));
+    Object.assign(node, resultOf(cells.get(node), shape.tolerance));
   }
 }
 
-/** The node's label, which is looked for when it is asked for. */
-function defineLabel(node: Input, cell: Cell | undefined): void {
-  let label: CellCircle | null | undefined;
-  const get = () => (label ??= labelOf(cell));
-  Object.defineProperty(node, "label", { get, enumerable: true, configurable: true });
-}
-
-function labelOf(cell: Cell | undefined): CellCircle | null {
-  if (cell === undefined) return null;
-  const { frame, outline } = cell;
-  const { x, y, r } = innerCircle(outline.curves, 1);
-  return { x: frame.x + frame.scale * x, y: frame.y + frame.scale * y, r: frame.scale * r };
-}
-
-function resultOf(cell: Cell | undefined): Omit<TreemapCell, "label"> {
+function resultOf(cell: Cell | undefined, tolerance: number): TreemapCell {
   const frame = cell?.frame ?? { x: 0, y: 0, scale: 1 };
   const outline = cell?.outline ?? null;
-  const render = (context?: PathContext | null, options?: Pick<DrawOptions, "digits">) => {
-    checkOptions(options, "digits");
-    return drawOutline(outline, frame, context, options) as string;
+  let last: (CellCircle & { readonly of: number }) | undefined;
+  const label = (options?: CellCircleOptions) => {
+    const aspect = checkedAspect(options);
+    if (outline === null) return null;
+    if (last?.of !== aspect) last = { ...innerCircle(outline.curves, aspect), of: aspect };
+    const { x, y, r } = last;
+    return { x: frame.x + frame.scale * x, y: frame.y + frame.scale * y, r: frame.scale * r };
   };
+  const render = (context?: PathContext | null, options?: DrawOptions) =>
+    drawOutline(outline, frame, tolerance, context, options) as string;
   if (cell === undefined)
-    return { area: 0, centroid: null, polygon: null, site: null, fit: null, render };
-  const { area, x, y, rings, site, fit } = cell;
+    return { area: 0, centroid: null, polygon: null, circle: null, fit: null, label, render };
+  const { area, x, y, rings, circle, fit } = cell;
   return {
     area: area * frame.scale * frame.scale,
     centroid: [frame.x + frame.scale * x, frame.y + frame.scale * y],
     polygon: joined(rings, frame),
-    site,
+    circle,
     fit,
+    label,
     render,
   };
 }
 
-function checkFunction(name: string, value: unknown, other?: null): void {
-  if (typeof value === "function" || value === other) return;
-  throw new ApolloniusError("bad-option", `${name} is ${described(value)}, expected a function`);
-}
-
 const kMostRounds = 1000;
 
-/** Throws unless the setting can be that; what concerns single nodes is found when they are. */
-function checkSetting(name: keyof Settings, value: unknown): void {
+/** Gives a setting as it is kept, or throws. What functions return is checked by the layout. */
+function checkedSetting(name: keyof Settings, value: unknown): unknown {
+  if (name === "shape") return shapeOf(value as TreemapShape);
   if (name === "seed") checkNumber(name, value);
   else if (name === "rounds") {
     if (checkedCount(name, value) > kMostRounds)
@@ -144,26 +147,33 @@ function checkSetting(name: keyof Settings, value: unknown): void {
         "out-of-range",
         `rounds is ${value}, expected at most ${kMostRounds}`,
       );
-  } else if (name === "sites") checkedChoice(name, value, ["move", "stay"]);
-  else if (name === "padding" && typeof value !== "function") checkNumber(name, value);
-  else if (name === "value" || name === "position" || name === "key")
-    checkFunction(name, value, null);
-  else if ((name === "previous" && value !== null) || name === "shape") {
-    if (typeof value !== "object" || value === null)
-      throw new ApolloniusError("bad-option", `${name} is ${described(value)}, expected an object`);
-  }
+  } else if (name === "sites") return checkedChoice(name, value, ["move", "stay"]);
+  else if (typeof value === "function") return value;
+  else if (name === "padding") checkedPadding(name, value);
+  else if (value !== null)
+    throw new ApolloniusError("bad-option", `${name} is ${described(value)}, expected a function`);
+  return value;
+}
+
+/** Bounds from the origin on; throws "bad-bounds". */
+function boundsOfSize(size: unknown): TreemapShape {
+  if (!isArrayLike(size) || size.length !== 2)
+    throw new ApolloniusError("bad-bounds", `size is ${described(size)}, expected [width, height]`);
+  return [0, 0, size[0] as number, size[1] as number];
 }
 
 /**
  * A new layout of cells within cells, with curved borders and exact areas: see `Treemap`. O(1).
  *
  *     const root = hierarchy(data).sum((d) => d.size);
- *     treemap().shape([0, 0, 800, 600])(root);
- *     for (const leaf of root.leaves()) leaf.render(context);
+ *     for (const leaf of treemap().size([800, 600])(root).leaves()) leaf.render(context);
  */
-// biome-ignore lint/suspicious/noExplicitAny: JavaScript has no words for the type of data
-export function treemap<Datum = any>(): Treemap<Datum> {
-  const settings: Settings = {
+export function treemap<
+  // biome-ignore lint/suspicious/noExplicitAny: JavaScript has no words for the type of data
+  Datum = any,
+  Node extends TreemapNode<Datum> = TreemapNode<Datum>,
+>(): Treemap<Datum, Node> {
+  const given: { [Name in keyof Settings]: unknown } = {
     shape: [0, 0, 1, 1],
     value: null,
     padding: 0,
@@ -171,27 +181,36 @@ export function treemap<Datum = any>(): Treemap<Datum> {
     rounds: 8,
     position: null,
     seed: 0,
-    previous: null,
     key: null,
   };
-  const layout = (root: Input) => {
-    layOutAtOnce(root, { ...settings });
+  const settings = { ...given, shape: shapeOf(given.shape as TreemapShape) } as Settings;
+  const layout = (root: Input, options?: TreemapOptions) => {
+    layOutAtOnce(root, { ...settings }, options);
     return root;
   };
+  const set = (name: keyof Settings, value: unknown) => {
+    const checked = checkedSetting(name, value);
+    Object.assign(settings, { [name]: checked });
+    given[name] = name === "shape" ? value : checked;
+    return layout;
+  };
   const methods = Object.fromEntries(
-    (Object.keys(settings) as (keyof Settings)[]).map((name) => [
+    (Object.keys(given) as (keyof Settings)[]).map((name) => [
       name,
-      (...given: unknown[]) => {
-        if (given.length === 0) return settings[name];
-        checkSetting(name, given[0]);
-        Object.assign(settings, { [name]: given[0] });
-        return layout;
-      },
+      (...values: unknown[]) => (values.length === 0 ? given[name] : set(name, values[0])),
     ]),
   );
-  const inSlices = async (root: Input, options?: TreemapOptions) => {
+  const size = (...values: unknown[]) => {
+    if (values.length > 0) return set("shape", boundsOfSize(values[0]));
+    const { bounds } = settings.shape;
+    return bounds && bounds[0] === 0 && bounds[1] === 0 ? bounds.slice(2) : null;
+  };
+  const inSlices = async (root: Input, options?: TreemapAsyncOptions) => {
     await layOutInSlices(root, { ...settings }, options);
     return root;
   };
-  return Object.assign(layout, methods, { async: inSlices }) as unknown as Treemap<Datum>;
+  return Object.assign(layout, methods, { size, async: inSlices }) as unknown as Treemap<
+    Datum,
+    Node
+  >;
 }

@@ -1,22 +1,22 @@
 // What a treemap is told, and what it reads of a tree before anything is laid out.
-import { described, numberError } from "../core/arguments.js";
+import { checkNumber, described, numberError } from "../core/arguments.js";
 import type { Position } from "../core/types.js";
 import { ApolloniusError } from "../errors.js";
-import type { TreemapCell, TreemapInput, TreemapShape } from "./types.js";
+import type { Shape } from "./cells.js";
+import type { TreemapCell, TreemapNode } from "./types.js";
 
 /** A node of any data, and what a treemap has given it, if it has. */
-export type Input = TreemapInput<unknown> & Partial<TreemapCell>;
+export type Input = TreemapNode & Partial<TreemapCell>;
 
 /** As the methods of a layout set it. */
 export interface Settings {
-  shape: TreemapShape;
+  shape: Shape;
   value: ((datum: unknown) => number | undefined) | null;
   padding: number | ((node: Input) => number);
   sites: "move" | "stay";
   rounds: number;
   position: ((node: Input) => Position) | null;
   seed: number;
-  previous: Input | null;
   key: ((node: Input, index: number) => unknown) | null;
 }
 
@@ -84,17 +84,17 @@ export function valuesOf(nodes: readonly Input[], settings: Settings): Map<Input
   return new Map(nodes.map((node) => [node, values.get(node)!]));
 }
 
+/** A width that padding can have. */
+export function checkedPadding(name: string, width: unknown): number {
+  checkNumber(name, width);
+  if ((width as number) >= 0) return width as number;
+  throw new ApolloniusError("out-of-range", `${name} is ${described(width)}, expected 0 or more`);
+}
+
 /** The width of a node's padding. */
 export function paddingOf(node: Input, { padding }: Settings): number {
-  const width: unknown = typeof padding === "function" ? padding(node) : padding;
-  const error = numberError(`padding of ${nameOf(node)}`, width);
-  if (error) throw error;
-  if (!((width as number) >= 0))
-    throw new ApolloniusError(
-      "out-of-range",
-      `padding of ${nameOf(node)} is ${described(width)}, expected 0 or more`,
-    );
-  return width as number;
+  if (typeof padding !== "function") return padding;
+  return checkedPadding(`padding of ${nameOf(node)}`, padding(node));
 }
 
 /** A given place of a node. */

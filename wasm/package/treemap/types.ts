@@ -2,7 +2,7 @@
 import type { DrawOptions, PathContext } from "../core/path.js";
 import type { Bounds, Position, Site } from "../core/types.js";
 import type { Region } from "../shapes/region.js";
-import type { CellCircle } from "../shapes/types.js";
+import type { CellCircle, CellCircleOptions } from "../shapes/types.js";
 
 /** A disc: its centre and its radius, > 0. */
 export interface Disc {
@@ -20,8 +20,8 @@ export interface Disc {
  */
 export type TreemapShape = Bounds | Region | Disc;
 
-/** What a treemap reads of a node: d3-hierarchy's nodes have it. */
-export interface TreemapInput<Datum = unknown> {
+/** What a treemap reads of a node: d3-hierarchy's nodes have it, and a plain tree can have it. */
+export interface TreemapNode<Datum = unknown> {
   /** What the node stands for. */
   readonly data: Datum;
   /** Its share among its siblings, as `root.sum(…)` or `root.count()` makes it; 0 for no cell. */
@@ -33,9 +33,9 @@ export interface TreemapInput<Datum = unknown> {
   /** How many levels are below it. */
   readonly height?: number | undefined;
   /** Missing for leaves. */
-  readonly children?: readonly TreemapInput<Datum>[] | undefined;
+  readonly children?: readonly TreemapNode<Datum>[] | undefined;
   /** null or missing for the root. */
-  readonly parent?: TreemapInput<Datum> | null | undefined;
+  readonly parent?: TreemapNode<Datum> | null | undefined;
 }
 
 /** How the children of a node were fitted into its cell. */
@@ -65,26 +65,66 @@ export interface TreemapCell {
    */
   polygon: Position[] | null;
   /**
-   * The largest circle inside its curved cell, for its name: r is at least 0.999 of the largest
-   * possible. Looked for when it is read. null without a value.
+   * Its circle in the diagram of its siblings, in the shape's coordinates; null for the root, only
+   * children, and without a value.
    */
-  readonly label: CellCircle | null;
-  /** Its circle in the diagram of its siblings; null if it has none with a cell. */
-  site: Site | null;
+  circle: Site | null;
   /**
    * How its children were fitted; null for leaves, only children's parents, and without a value.
    */
   fit: TreemapFit | null;
   /**
-   * Draws the curved cell as closed figures; nothing without a value. Takes time in proportion to
-   * the curves drawn. Throws "bad-option" (a context that cannot draw), "out-of-range" (digits).
+   * The largest circle inside the curved cell, for its name, or with `aspect` the largest ellipse,
+   * as `cellCircle` has it: r is at least 0.999 of the largest possible. null without a value.
+   * Some milliseconds, and nothing when the same aspect is asked for again. Throws "not-finite",
+   * "out-of-range" (aspect), "bad-option", "no-convergence".
    */
-  render(context: PathContext, options?: Pick<DrawOptions, "digits">): void;
-  render(context?: null, options?: Pick<DrawOptions, "digits">): string;
+  label(options?: CellCircleOptions): CellCircle | null;
+  /**
+   * Draws the curved cell as closed figures, the tolerance in the shape's unit; without a value
+   * nothing, and as a path null. Takes time in proportion to the curves drawn. Throws "bad-option"
+   * (a context that cannot draw), "not-finite", "out-of-range" (tolerance, digits).
+   */
+  render(context: PathContext, options?: DrawOptions): void;
+  render(context?: null, options?: DrawOptions): string | null;
+  render(context?: PathContext | null, options?: DrawOptions): string | null | void;
 }
 
-/** Options of `treemap().async`. */
-export interface TreemapOptions {
+/**
+ * A node with its cell, whose children and parent have theirs: what a layout returns. (Of a list of
+ * nodes, each.)
+ */
+export type WithCells<Node> = Node extends readonly (infer Child)[]
+  ? WithCells<Child>[]
+  : Node extends object
+    ? TreemapCell &
+        // The children of d3's nodes are of the type of the node, with all that it has.
+        (Node & TreemapCell extends {
+          readonly children?: readonly TreemapCell[] | undefined;
+          readonly parent?: TreemapCell | null | undefined;
+        }
+          ? Node
+          : {
+              [Key in keyof Node]: Key extends "children" | "parent"
+                ? WithCells<Node[Key]>
+                : Node[Key];
+            })
+    : Node;
+
+/** Options of a layout. */
+export interface TreemapOptions<Node = TreemapNode> {
+  /**
+   * A root that a treemap has laid out, for animations: sites begin where they are there, with
+   * their weights, and at most move a quarter of the way to their centroids. Where values change by
+   * a few percent, two to four steps do. Children are matched by their keys within parents that
+   * match; the layout throws "bad-option" if two siblings have the same one. The tree may be the
+   * same one, with other values: then each node is matched with itself. Default: null.
+   */
+  previous?: (Node & TreemapCell) | null | undefined;
+}
+
+/** Options of a layout in slices. */
+export interface TreemapAsyncOptions<Node = TreemapNode> extends TreemapOptions<Node> {
   /** Ends the layout when it aborts; the promise is rejected with its reason. */
   signal?: AbortSignal | undefined;
   /**
@@ -95,8 +135,10 @@ export interface TreemapOptions {
 }
 
 /**
- * A layout for trees of d3-hierarchy, in its manner: call it with a root. Each method sets one
- * thing and returns the layout, or without an argument says what is set.
+ * A layout for trees of d3-hierarchy, or plain ones, in the manner of d3: call it with a root. Each
+ * method sets one thing, checks it at once, and returns the layout, or without an argument says
+ * what is set. `Node` is the type of the nodes that functions get: `treemap<Datum,
+ * HierarchyNode<Datum>>()` gives them all that d3's nodes have.
  *
  * The children of a node fill its cell with cells of their own, which are curved and whose areas
  * are in proportion to the values: each child's *target* is the area of its parent's window times
@@ -108,24 +150,35 @@ export interface TreemapOptions {
  * `fit.converged` can be false, or "no-convergence" is thrown.
  *
  * Layouts are all or nothing: nodes change at the end. The same tree, settings and seed give the
- * same bits. Errors: "bad-target" (a value that is negative or no number), "bad-bounds" (a shape
- * without inside), "not-finite", "out-of-range", "bad-option", "no-convergence", "out-of-memory".
+ * same bits. Errors: "bad-target" (a value that is negative or no number), "not-finite",
+ * "out-of-range" (what functions return), "bad-option", "no-convergence", "out-of-memory".
  * Cost: for each node's n children, with some 8 rounds of 2 steps, that of 20 diagrams of n sites.
  */
-export interface Treemap<Datum = unknown> {
+export interface Treemap<Datum = unknown, Node extends TreemapNode<Datum> = TreemapNode<Datum>> {
   /** Gives each node of a tree its cell; returns the root. */
-  <Node extends TreemapInput<Datum>>(root: Node): Node & TreemapCell;
+  <Root extends Node>(root: Root, options?: TreemapOptions<Node>): WithCells<Root>;
 
   /**
    * The same in slices of some milliseconds, between which the event loop has a turn. Rejects as
    * the call throws, and with the reason of `signal` once that aborts; nodes are as they were then.
    */
-  async<Node extends TreemapInput<Datum>>(
-    root: Node,
-    options?: TreemapOptions,
-  ): Promise<Node & TreemapCell>;
+  async<Root extends Node>(
+    root: Root,
+    options?: TreemapAsyncOptions<Node>,
+  ): Promise<WithCells<Root>>;
 
-  /** The root's cell. Default: [0, 0, 1, 1]. */
+  /**
+   * The root's cell: [0, 0, width, height]. Gives null where `shape` has been set to something
+   * else. Default: [1, 1]. Throws "bad-bounds".
+   */
+  size(): [width: number, height: number] | null;
+  size(size: readonly [width: number, height: number]): this;
+
+  /**
+   * The root's cell: bounds, a region, or a disc. It is read when it is set. Default: [0, 0, 1, 1].
+   * Throws "bad-bounds", and "not-finite", "out-of-range" (a disc); "not-loaded" where a region is
+   * set before `load`, if that is needed.
+   */
   shape(): TreemapShape;
   shape(shape: TreemapShape): this;
 
@@ -142,8 +195,8 @@ export interface Treemap<Datum = unknown> {
    * or a function of the node. Corners of the rest are sharp. Where a cell is too narrow, half the
    * width is taken, or a quarter, and so on. Default: 0.
    */
-  padding(): number | ((node: TreemapInput<Datum>) => number);
-  padding(padding: number | ((node: TreemapInput<Datum>) => number)): this;
+  padding(): number | ((node: Node) => number);
+  padding(padding: number | ((node: Node) => number)): this;
 
   /**
    * "move" (default): sites move to the centroids of their cells, round after round, which makes
@@ -161,22 +214,12 @@ export interface Treemap<Datum = unknown> {
    * window, or where a sibling's is, begins at a free place nearby. Default: null, places are
    * spread over the window by value, in the order of the children.
    */
-  position(): ((node: TreemapInput<Datum>) => Position) | null;
-  position(position: ((node: TreemapInput<Datum>) => Position) | null): this;
+  position(): ((node: Node) => Position) | null;
+  position(position: ((node: Node) => Position) | null): this;
 
   /** Any number; another one gives another layout, if no positions are given. Default: 0. */
   seed(): number;
   seed(seed: number): this;
-
-  /**
-   * A root that a treemap has laid out, for animations: sites begin where they are there, with
-   * their weights, and at most move a quarter of the way to their centroids. Where values change by
-   * a few percent, two to four steps do. Children are matched by their keys within parents that
-   * match; the layout throws "bad-option" if two siblings have the same one. The tree may be the
-   * same one, with other values: then each node is matched with itself. Default: null.
-   */
-  previous(): (TreemapInput<Datum> & Partial<TreemapCell>) | null;
-  previous(root: (TreemapInput<Datum> & Partial<TreemapCell>) | null): this;
 
   /**
    * Gives the key by which a node is matched with that of `previous`. Default: `node.id`, or else
@@ -184,6 +227,6 @@ export interface Treemap<Datum = unknown> {
    * d3.rollup, the key, or else `data` itself. Where siblings without names come and go at once,
    * only a key can tell which is which: without one the layout throws "bad-option".
    */
-  key(): ((node: TreemapInput<Datum>, index: number) => unknown) | null;
-  key(key: ((node: TreemapInput<Datum>, index: number) => unknown) | null): this;
+  key(): ((node: Node, index: number) => unknown) | null;
+  key(key: ((node: Node, index: number) => unknown) | null): this;
 }
