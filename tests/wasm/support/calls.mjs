@@ -506,6 +506,11 @@ export const voronoiCalls = {
         (d) => fitBy("fitAreasAsync")(d, { signal: 7 }),
         "options.signal is 7, expected",
       ],
+      [
+        "bad-option",
+        (d) => fitBy("fitAreasAsync")(d, { onProgress: 7 }),
+        "options.onProgress is 7, expected a function",
+      ],
     ],
   },
   cellCentroids: works(inWindow((v) => v.cellCentroids())),

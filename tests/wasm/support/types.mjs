@@ -96,10 +96,12 @@ const windows: Region[] = [
 for (const window of windows) diagram.voronoi(window);
 
 const targets: AreaTargets[] = [[1], new Float64Array(1), new Map([[0, 1]]), { 0: 1 }];
-const fitted: FittedAreas | null = view.fitAreas(targets[0]!, { strict: true });
-const outcome: [boolean, string | undefined] | undefined =
-  fitted === null ? undefined : [fitted.converged, fitted.reason];
-const later: Promise<FittedAreas | null> = view.fitAreasAsync(new Map([[0, 1]]), { signal });
+const fitted: FittedAreas = view.fitAreas(targets[0]!, { strict: true });
+const outcome: [boolean, string | undefined] = [fitted.converged, fitted.reason];
+const later: Promise<FittedAreas> = view.fitAreasAsync(new Map([[0, 1]]), {
+  signal,
+  onProgress: (done: number) => done,
+});
 // @ts-expect-error: that one cannot be aborted
 view.fitAreas([1], { signal });
 // @ts-expect-error: targets are numbers

@@ -176,16 +176,23 @@ export interface FitOptions {
    */
   start?: ArrayLike<number> | undefined;
   /**
-   * Called after each step; `false` stops, and the diagram stays as it is. It may not change the
-   * diagram.
+   * Called after each step. It may throw, which stops the search, and the diagram stays as it is.
+   * It may not change the diagram.
    */
-  onIteration?: ((progress: FitProgress) => unknown) | undefined;
+  onIteration?: ((progress: FitProgress) => void) | undefined;
 }
 
 /** Options of `fitAreasAsync`. */
 export interface AsyncFitOptions extends FitOptions {
   /** Ends the search when it aborts; the promise is rejected with its reason. */
   signal?: AbortSignal | undefined;
+  /**
+   * Called after each slice with the share that is done, from 0 to 1, which never falls: how far
+   * the least `error` so far has come from the first one to the tolerance, by orders of magnitude.
+   * How many steps are left it cannot tell. The last call gets 1, before the diagram changes. It
+   * may throw.
+   */
+  onProgress?: ((done: number) => void) | undefined;
 }
 
 // --- Shapes --------------------------------------------------------------------------------------

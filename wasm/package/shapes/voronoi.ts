@@ -509,8 +509,8 @@ export class Voronoi implements Disposable {
 
   /**
    * Changes the weights of all sites so that the areas of their cells inside the window are in
-   * proportion to targets. Centres stay, and hidden sites get a cell, too. null if `onIteration`
-   * has stopped it.
+   * proportion to targets. Centres stay, and hidden sites get a cell, too. To stop it, `onIteration`
+   * throws.
    *
    * No two sites may share a centre, and with equal weights each must have a cell in the window, as
    * it does if its centre is inside. All or nothing: the diagram changes at the end, and only if
@@ -520,7 +520,7 @@ export class Voronoi implements Disposable {
    * (several times that, where targets differ by orders of magnitude) about that of building the
    * diagram and of `cellAreas`.
    */
-  fitAreas(targets: AreaTargets, options?: FitOptions): FittedAreas | null {
+  fitAreas(targets: AreaTargets, options?: FitOptions): FittedAreas {
     return fitAreas(Voronoi.#living(this, true), () => this.#window, targets, options);
   }
 
@@ -530,10 +530,7 @@ export class Voronoi implements Disposable {
    * as that throws; with the reason of `options.signal` once that aborts; with "busy" if the
    * diagram has changed meanwhile.
    */
-  async fitAreasAsync(
-    targets: AreaTargets,
-    options?: AsyncFitOptions,
-  ): Promise<FittedAreas | null> {
+  async fitAreasAsync(targets: AreaTargets, options?: AsyncFitOptions): Promise<FittedAreas> {
     // awaited here, so that this view, and so the diagram, is not collected meanwhile
     return await fitAreasAsync(Voronoi.#living(this, true), () => this.#window, targets, options);
   }
