@@ -12,6 +12,7 @@ export type {
   SphericalPolygonOptions,
   SphericalSite,
   SphericalSites,
+  SphericalTriangulation,
   SphericalVertices,
 } from "./spherical_types.js";
 export type {

@@ -23,6 +23,7 @@ import {
   within,
 } from "../core/queries.js";
 import { atPoint, atSite, ofOne, withSite } from "../core/space.js";
+import { trianglesOf } from "../core/triangulation.js";
 import type {
   FilterOptions,
   FindManyArguments,
@@ -63,6 +64,7 @@ import type {
   SphericalPolygonOptions,
   SphericalSite,
   SphericalSites,
+  SphericalTriangulation,
   SphericalVertices,
 } from "./spherical_types.js";
 
@@ -378,6 +380,15 @@ export class SphericalDiagram extends DynamicDiagram<ListedSphericalSite> {
   vertices(): SphericalVertices {
     const { coordinates, clearance, sites } = sphericalOf(this).native.vertices();
     return { lonLat: coordinates, clearance, sites };
+  }
+
+  /**
+   * The Delaunay graph as it is now, in the arrays of the plane's (d3-delaunay's): a copy, to be
+   * asked once. It is closed, a triangulation of the sphere: n >= 3 visible sites have 2 n - 4
+   * triangles and 3 n - 6 edges; one or two have no triangle, though two have an edge. O(n).
+   */
+  triangulation(): SphericalTriangulation {
+    return { ...trianglesOf(sphericalOf(this).native), hull: new Uint32Array(0) };
   }
 
   // --- Empty circles -----------------------------------------------------------------------------

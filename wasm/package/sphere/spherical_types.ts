@@ -44,6 +44,22 @@ export interface SphericalVertices {
   sites: Uint32Array;
 }
 
+/**
+ * The Delaunay graph of the sphere as it was when `diagram.triangulation()` was called. Triangle t
+ * has the half-edges 3 t, 3 t + 1 and 3 t + 2, and is row t of `diagram.vertices()`, as the diagram
+ * was then. Two sites can have several edges in common, so an edge is its half-edge.
+ */
+export interface SphericalTriangulation {
+  /** Longitude, latitude of each site by id, as given, hidden ones too; NaN for ids without one. */
+  readonly points: Float64Array;
+  /** The ids of each triangle's sites, counter-clockwise as seen from outside. */
+  readonly triangles: Uint32Array;
+  /** The twin of each half-edge, in the triangle on its other side; every one has a twin. */
+  readonly halfedges: Int32Array;
+  /** Empty: the graph has no border. */
+  readonly hull: Uint32Array;
+}
+
 /** A circle on the sphere that no site reaches into. */
 export interface SphericalEmptyCircle {
   /** Longitude of its centre. */
