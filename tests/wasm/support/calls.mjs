@@ -7,6 +7,7 @@ import {
   aspects,
   searchedBy,
   bounds,
+  edgesBy,
   inWindow,
   fitBy,
   number,
@@ -273,7 +274,7 @@ export const diagramCalls = {
     ],
   },
   neighbors: ofSite("neighbors"),
-  edges: works((d) => d.edges()),
+  edges: edgesBy((d, options) => d.edges(options)),
   vertices: works((d) => d.vertices()),
   levels: works((d) => d.levels()),
   voronoi: {
@@ -357,6 +358,8 @@ export const voronoiCalls = {
   },
   cellCurves: ofCell("cellCurves"),
   edgeCurves: works(inWindow((v) => v.edgeCurves())),
+  edges: edgesBy(inWindow((v, options) => v.edges(options))),
+  vertices: works(inWindow((v) => v.vertices())),
   toGeoJSON: {
     use: inWindow((v) => v.toGeoJSON()),
     refuses: [

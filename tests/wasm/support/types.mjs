@@ -107,6 +107,14 @@ view.fitAreas([1], { signal });
 // @ts-expect-error: targets are numbers
 view.fitAreas({ 0: "1" });
 const point: [number, number] = curvePoint(view.edgeCurves().curves, 0, 0.5);
+const gaps: [Float64Array, Float64Array] = [
+  view.edges({ clearance: true }).clearance, diagram.edges({ clearance: true }).xy,
+];
+// @ts-expect-error: nobody has asked for it
+diagram.edges().clearance;
+// @ts-expect-error: no such option
+view.edges({ clearances: true });
+const ends: [Int32Array, Float64Array] = [view.vertices().sites, diagram.vertices().xy];
 declare const context: CanvasRenderingContext2D | null | undefined;
 const path: string | void = view.render(context);
 const sides: string = view.renderBounds(null, { digits: 2 });

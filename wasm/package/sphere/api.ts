@@ -6,6 +6,7 @@ export type {
   Spherical,
   SphericalBuildOptions,
   SphericalCollection,
+  SphericalEdgesWithClearance,
   SphericalEmptyCircle,
   SphericalGeoJSONOptions,
   SphericalOptions,
@@ -17,6 +18,7 @@ export type {
 } from "./spherical_types.js";
 export type {
   DistanceOptions,
+  EdgeOptions,
   InterpolationOptions,
   NaturalWeights,
   NumbersById,

@@ -25,6 +25,7 @@ import {
 import { atPoint, atSite, ofOne, withSite } from "../core/space.js";
 import { trianglesOf } from "../core/triangulation.js";
 import type {
+  Edges,
   FilterOptions,
   FindManyArguments,
   NearbyOptions,
@@ -39,9 +40,11 @@ import {
   positionsOf,
 } from "../shapes/geojson.js";
 import { distanceOf, withDistances } from "../shapes/distances.js";
+import { isWithClearance } from "../shapes/edges.js";
 import type {
   CellPolygon,
   DistanceOptions,
+  EdgeOptions,
   InterpolationOptions,
   NaturalWeights,
   NumbersById,
@@ -58,6 +61,7 @@ import type {
   Spherical,
   SphericalBuildOptions,
   SphericalCollection,
+  SphericalEdgesWithClearance,
   SphericalEmptyCircle,
   SphericalGeoJSONOptions,
   SphericalOptions,
@@ -375,11 +379,25 @@ export class SphericalDiagram extends DynamicDiagram<ListedSphericalSite> {
   // --- The graph ---------------------------------------------------------------------------------
 
   /**
+   * All Voronoi edges; with `clearance` also the smallest clearance on each, and where that is.
+   * O(n). Throws "bad-option".
+   */
+  override edges(options: EdgeOptions & { clearance: true }): SphericalEdgesWithClearance;
+  override edges(options?: EdgeOptions): Edges;
+  override edges(options?: EdgeOptions): Edges {
+    const isClear = isWithClearance(options);
+    const { native } = sphericalOf(this);
+    if (!isClear) return native.edges();
+    const { xy, clearance } = native.narrowest();
+    return Object.assign(native.edges(), { clearance, lonLat: xy });
+  }
+
+  /**
    * All Voronoi vertices: points that have the same distance to three sites and none less. O(n).
    */
   vertices(): SphericalVertices {
-    const { coordinates, clearance, sites } = sphericalOf(this).native.vertices();
-    return { lonLat: coordinates, clearance, sites };
+    const { xy, clearance, sites } = sphericalOf(this).native.vertices();
+    return { lonLat: xy, clearance, sites };
   }
 
   /**
@@ -408,10 +426,10 @@ export class SphericalDiagram extends DynamicDiagram<ListedSphericalSite> {
    */
   emptyCircles(count: number): SphericalEmptyCircle[] {
     const { native } = sphericalOf(this);
-    const { coordinates, clearance, sites } = native.emptyCircles(checkedCount("count", count));
+    const { xy, clearance, sites } = native.emptyCircles(checkedCount("count", count));
     return Array.from(clearance, (r, k) => ({
-      lon: coordinates[2 * k]!,
-      lat: coordinates[2 * k + 1]!,
+      lon: xy[2 * k]!,
+      lat: xy[2 * k + 1]!,
       r,
       site: sites[k]!,
     }));

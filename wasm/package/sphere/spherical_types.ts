@@ -1,5 +1,5 @@
 // The types of apollonius-diagram/sphere that users see.
-import type { BuildOptions } from "../core/types.js";
+import type { BuildOptions, Edges } from "../core/types.js";
 import type { CellsCollection } from "../shapes/geojson.js";
 import type { DistanceOptions } from "../shapes/types.js";
 
@@ -58,6 +58,14 @@ export interface SphericalTriangulation {
   readonly halfedges: Int32Array;
   /** Empty: the graph has no border. */
   readonly hull: Uint32Array;
+}
+
+/** `edges({ clearance: true })`; row k of each array belongs to edge k. */
+export interface SphericalEdgesWithClearance extends Edges {
+  /** The smallest distance of each edge to its two sites. */
+  clearance: Float64Array;
+  /** Longitude, latitude of the place on each edge where that is. */
+  lonLat: Float64Array;
 }
 
 /** A circle on the sphere that no site reaches into. */
