@@ -127,7 +127,7 @@ const rules = [
     may: [
       /^\.\/\w+\.js$/,
       /^\.\.\/(core\/(native\/)?\w+|errors)\.js$/,
-      /^\.\.\/shapes\/(by_id|distances|geojson|types)\.js$/,
+      /^\.\.\/shapes\/(by_id|distances|edges|geojson|types)\.js$/,
     ],
   },
   {

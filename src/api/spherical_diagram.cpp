@@ -252,6 +252,10 @@ Error SphericalDiagram::edges(EdgeArrays& edges) const {
   return guarded(*core_, [&] { listEdges(core_->projected(), edges); });
 }
 
+Error SphericalDiagram::narrowest(VertexArrays& places) const {
+  return guarded(*core_, [&] { listNarrowest(core_->projected(), radius(), places); });
+}
+
 // --- Snapshots
 
 Error SphericalDiagram::toBytes(std::vector<std::uint8_t>& bytes) const {

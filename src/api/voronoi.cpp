@@ -14,6 +14,7 @@
 #include "geometry/cell/reach_cell.h"
 #include "geometry/cell/rectangle_cell.h"
 #include "geometry/clipping/cell_drawing.h"
+#include "geometry/clipping/edge_graph.h"
 #include "geometry/clipping/reach_clipping.h"
 #include "geometry/clipping/rectangle_clipping.h"
 #include "geometry/curve/moments.h"
@@ -45,9 +46,9 @@ void appendCurve(const Conic& c, std::vector<double>& curves) {
 class EdgeLister final : public EdgeVisitor {  // NOLINT: nothing derives from it
  public:
   EdgeLister(const DiagramCore& core, CurveArrays& edges) : core_(core), edges_(edges) {}
-  void visit(HalfedgeId h, const Conic& curve) override {
+  void visit(HalfedgeId h, const EdgePart& piece) override {
     const Graph& graph = core_.delaunay().graph();
-    appendCurve(curve, edges_.curves);
+    appendCurve(piece.curve, edges_.curves);
     edges_.sites.push_back(core_.siteOf(graph.origin(h)));
     edges_.sites.push_back(core_.siteOf(graph.target(h)));
   }
@@ -199,6 +200,12 @@ Error Voronoi::edgeCurves(CurveArrays& edges) const {
     edges = {};
     EdgeLister lister(*diagram_.core_, edges);
     clipping.visitEdges(lister);
+  });
+}
+
+Error Voronoi::edgeGraph(EdgeGraph& graph) const {
+  return clipped(windowError(), [&](const Clipping& clipping) {
+    listEdgeGraph(*diagram_.core_, clipping, graph.vertices, graph.edges, graph.narrowest);
   });
 }
 

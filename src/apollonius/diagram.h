@@ -232,6 +232,10 @@ class APOLLONIUS_EXPORT Diagram {
   [[nodiscard]] Error vertices(VertexArrays& vertices) const;
   [[nodiscard]] Error edges(
       EdgeArrays& edges) const;  ///< Replaces the contents. Errors: kOutOfMemory. Cost: O(h)
+  /// The place of least clearance on each edge, and that clearance; row k belongs to edge k of
+  /// edges(), and there are no sites. It is between the two circles, on the segment of their
+  /// centres, or else an end. Replaces the contents. Errors: kOutOfMemory. Cost: O(h)
+  [[nodiscard]] Error narrowest(VertexArrays& places) const;
 
   /// The faces of the Delaunay graph, three sites each, counter-clockwise, kNoSite for infinity:
   /// the topology itself. Those without infinity are the rows of vertices(). A function of the

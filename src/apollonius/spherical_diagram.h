@@ -149,6 +149,8 @@ class APOLLONIUS_EXPORT SphericalDiagram {
   /// All Voronoi edges, between rows of vertices(); -1 for the closed edge of two sites. Replaces
   /// the contents. Errors: kOutOfMemory. Cost: O(h)
   [[nodiscard]] Error edges(EdgeArrays& edges) const;
+  /// As Diagram::narrowest.
+  [[nodiscard]] Error narrowest(VertexArrays& places) const;
 
   // --- Cells. Errors: kUnknownSite, kOutOfMemory
   //

@@ -74,13 +74,13 @@ struct NearbyLists {
   std::vector<double> distances;      ///< one a site of `ids`, or none at all
 };
 
-/// The Voronoi vertices in the plane; row k of each array belongs to vertex k. The rows' order
+/// The Voronoi vertices; row k of each array belongs to vertex k. The rows' order
 /// depends on the history.
 struct VertexArrays {
-  std::vector<double> coordinates;  ///< x, y of each vertex
-  std::vector<double> clearance;    ///< common distance to its three sites
-  std::vector<std::uint32_t>
-      sites;  ///< the three sites, counter-clockwise around the vertex's circle
+  std::vector<double> coordinates;   ///< x, y of each vertex
+  std::vector<double> clearance;     ///< common distance to its three sites
+  std::vector<std::uint32_t> sites;  ///< the three sites, counter-clockwise around the vertex's
+                                     ///< circle; of a view's vertex of two the third one is kNoSite
 };
 
 /// The Voronoi edges. Two sites can share several. Where more than three sites touch one circle,

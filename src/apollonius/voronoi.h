@@ -51,6 +51,17 @@ struct CurveArrays {
       starts;  ///< of a cell: the first curve of each ring, and the number of curves at the end
 };
 
+/// The edges inside a window as a graph: edge k is curve k of Voronoi::edgeCurves().
+struct EdgeGraph {
+  /// The ends of the edges: Voronoi vertices, and where an edge is cut, at the border or at a
+  /// reach, a vertex of its two sites, the third one being kNoSite. A Voronoi vertex of more than
+  /// three sites is one row, and three of these are named.
+  VertexArrays vertices;
+  EdgeArrays edges;  ///< none is unbounded
+  /// As Diagram::narrowest, of these edges.
+  VertexArrays narrowest;
+};
+
 /// Closed rings (the first point is repeated at the end), counter-clockwise; those of holes are
 /// clockwise and follow the ring that they are in.
 struct RingArrays {
@@ -113,6 +124,8 @@ class APOLLONIUS_EXPORT Voronoi {
 
   /// Each Voronoi edge inside the window, its pieces one by one.
   [[nodiscard]] Error edgeCurves(CurveArrays& edges) const;
+  /// The same as a graph.
+  [[nodiscard]] Error edgeGraph(EdgeGraph& graph) const;
   /// The boundary of a cell, counter-clockwise, part by part. Cost: O(d log d).
   [[nodiscard]] Error cellCurves(SiteId id, CurveArrays& boundary) const;
   /// The sites whose cells have an edge in common with this one's inside the window: those of the

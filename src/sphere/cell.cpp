@@ -8,8 +8,6 @@ namespace apollonius::internal::sphere {
 
 namespace {
 
-constexpr double kTurn = 2 * std::numbers::pi;
-
 /// Bearings are not known better than this where a vertex is close to the site.
 constexpr double kOneDirection = 0x1p-16;
 

@@ -14,6 +14,8 @@
 
 namespace apollonius::internal::sphere {
 
+inline constexpr double kTurn = 2 * std::numbers::pi;
+
 /// The part of a cell that is bounded by one edge.
 struct Sector {
   SphericalBisector bisector;
@@ -62,7 +64,6 @@ class AngularReach {
 /// `aside`, at most half a turn, to a bearing, counter-clockwise.
 template <class Visit>
 void visitAbout(const Sector& sector, double bearing, double aside, Visit&& visit) {
-  constexpr double kTurn = 2 * std::numbers::pi;
   const double begin = std::remainder(bearing - sector.from, kTurn) - aside;
   double done = 0;
   for (const double turn : {-kTurn, 0.0, kTurn}) {

@@ -1,7 +1,12 @@
 #include "sphere/listing.h"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 #include "base/flat_array.h"
 #include "diagram/listing.h"
+#include "sphere/cell.h"
 #include "sphere/vertices.h"
 
 namespace apollonius::internal::sphere {
@@ -61,6 +66,69 @@ void listEdges(const ProjectedDiagram& diagram, EdgeArrays& edges) {
     edges.vertices[k++] = row[index(faceOf(graph.twin(h)))];
     edges.sites[k] = diagram.siteOf(graph.target(h));
     edges.vertices[k++] = row[index(faceOf(h))];
+  }
+}
+
+namespace {
+
+constexpr std::uint32_t kNoRow = 0xFFFFFFFFu;
+
+/// Is the middle of a bisector, where it is nearest, on a sector's edge?
+bool hasMiddle(const Sector& sector) {
+  const double turn = std::remainder(sector.bisector.middle() - sector.from, kTurn);
+  return (turn < 0 ? turn + kTurn : turn) < sector.width;
+}
+
+}  // namespace
+
+void listNarrowest(const ProjectedDiagram& diagram, double radius, VertexArrays& places) {
+  EdgeArrays edges;
+  VertexArrays vertices;
+  listEdges(diagram, edges);
+  listVertices(diagram, radius, vertices);
+  const std::size_t count = edges.sites.size() / 2;
+  places.coordinates.resize(2 * count);
+  places.clearance.assign(count, std::numeric_limits<double>::infinity());
+  places.sites.clear();
+  for (std::size_t k = 0; k < 2 * count; ++k) {
+    if (edges.vertices[k] < 0) continue;
+    const auto end = static_cast<std::size_t>(edges.vertices[k]);
+    if (!(vertices.clearance[end] < places.clearance[k / 2])) continue;
+    places.clearance[k / 2] = vertices.clearance[end];
+    std::copy_n(&vertices.coordinates[2 * end], 2, &places.coordinates[k / 2 * 2]);
+  }
+  SphericalVertices computed(diagram, SphericalVertices::Of::kAll);
+  FlatArray<Sector> sectors;
+  const auto atMiddle = [&](std::size_t k, VertexId node, const Sector& sector) {
+    const Cap& cap = diagram.cap(node);
+    const auto middle = sector.bisector.at(sector.bisector.middle());
+    const double clearance = (middle.rho() - cap.weight) * radius;
+    if (!hasMiddle(sector) || !(clearance < places.clearance[k])) return;
+    const LonLat point = lonLatOf(middle.point(cap.centre, Frame(cap.centre)));
+    places.clearance[k] = clearance;
+    places.coordinates[2 * k] = point.lon;
+    places.coordinates[2 * k + 1] = point.lat;
+  };
+  const Graph& graph = diagram.graph();
+  if (graph.isEmpty()) {
+    listSectors(diagram, kInfinity, computed, sectors);
+    if (count == 1) atMiddle(0, kInfinity, sectors[0]);
+    return;
+  }
+  // Cell by cell, as the sectors of a cell are found together: each edge in that of its first site.
+  FlatArray<std::uint32_t> rowOf(3 * graph.faceSlots(), kNoRow);
+  std::uint32_t row = 0;
+  for (const HalfedgeId h : graph.edges()) rowOf[index(h)] = row++;
+  FlatArray<VertexId> nodes;
+  graph.listVertices(nodes);
+  nodes.push_back(kInfinity);
+  for (const VertexId node : nodes) {
+    listSectors(diagram, node, computed, sectors);
+    const Sector* sector = sectors.data();
+    for (const HalfedgeId h : graph.star(node)) {
+      if (rowOf[index(h)] != kNoRow) atMiddle(rowOf[index(h)], node, *sector);
+      ++sector;
+    }
   }
 }
 

@@ -15,5 +15,8 @@ void listNeighbors(const ProjectedDiagram& diagram, SiteId id, std::vector<SiteI
 /// Clearances in the unit of the sphere's radius.
 void listVertices(const ProjectedDiagram& diagram, double radius, VertexArrays& vertices);
 void listEdges(const ProjectedDiagram& diagram, EdgeArrays& edges);
+/// The narrowest place of each edge that listEdges() has: where it crosses the way between its
+/// sites' centres, or else the end that is nearer. Without sites.
+void listNarrowest(const ProjectedDiagram& diagram, double radius, VertexArrays& places);
 
 }  // namespace apollonius::internal::sphere

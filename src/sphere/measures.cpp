@@ -132,7 +132,7 @@ void addGreatArc(const SphericalBisector& bisector, double from, double width, I
 /// farther away.
 void addEdge(const SphericalBisector& bisector, double from, double width, Integrand of,
              Integrals& sum) {
-  constexpr double kTurn = 2 * std::numbers::pi, kWidest = kTurn / 8, kGrowth = 4;
+  constexpr double kWidest = kTurn / 8, kGrowth = 4;
   constexpr double kNarrowest = 0x1p-46;  // of steps, which rounding would swallow
   if (bisector.isGreatCircle() && of != Integrand::kAreaAndMoment) {
     for (double done = 0; done < width; done += kTurn / 4)

@@ -63,6 +63,17 @@ void add(Hash& hash, const CoverageArrays& polygons) {
   hash.addAll(polygons.sites);
   hash.addAll(polygons.cells);
 }
+void add(Hash& hash, const VertexArrays& vertices) {
+  hash.addAll(vertices.coordinates);
+  hash.addAll(vertices.clearance);
+  hash.addAll(vertices.sites);
+}
+void add(Hash& hash, const EdgeGraph& graph) {
+  add(hash, graph.vertices);
+  hash.addAll(graph.edges.sites);
+  hash.addAll(graph.edges.vertices);
+  add(hash, graph.narrowest);
+}
 template <class Number>
 void add(Hash& hash, const std::vector<Number>& numbers) {
   hash.addAll(numbers);
@@ -114,6 +125,7 @@ std::vector<Call> shapes(bool inRegion) {
   using V = const Voronoi&;
   std::vector<Call> calls{
       {"edgeCurves", one(CurveArrays(), [](V v, auto& out) { return v.edgeCurves(out); })},
+      {"edgeGraph", one(EdgeGraph(), [](V v, auto& out) { return v.edgeGraph(out); })},
       {"cellCurves",
        each(CurveArrays(), [](V v, auto id, auto& out) { return v.cellCurves(id, out); })},
       {"cellPolygon",
@@ -171,6 +183,13 @@ std::vector<Call> shapes(bool inRegion) {
 /// Regions, walks, and a diagram that is built in steps.
 std::vector<Call> others(const std::vector<double>& xyr) {
   return {
+      {"Diagram::narrowest",
+       [](Subject& s, Hash& hash) {
+         VertexArrays places;
+         const Error error = s.diagram.narrowest(places);
+         add(hash, places);
+         return error;
+       }},
       {"Region::assign",
        [](Subject& s, Hash& hash) {
          const double before = s.region.area();

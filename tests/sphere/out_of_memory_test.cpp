@@ -107,6 +107,11 @@ std::vector<std::pair<std::string, Operation>> operations(const std::vector<std:
          EdgeArrays e;
          return d.edges(e);
        }},
+      {"narrowest",
+       [](SphericalDiagram& d) {
+         VertexArrays v;
+         return d.narrowest(v);
+       }},
       {"toBytes",
        [](SphericalDiagram& d) {
          std::vector<std::uint8_t> b;

@@ -109,14 +109,14 @@ describe.each([0, 1, 250, -3])("all radii %d", (r) => {
   });
 
   test("triangles and circumcenters are the vertices", () => {
-    const { sites, coordinates, clearance } = diagram.vertices();
+    const { sites, xy, clearance } = diagram.vertices();
     const rows = (triples, centers) =>
       Array.from({ length: triples.length / 3 }, (_, k) => ({
         key: sorted(triples.slice(3 * k, 3 * k + 3)).join(" "),
         x: centers[2 * k],
         y: centers[2 * k + 1],
       })).sort((a, b) => (a.key < b.key ? -1 : 1));
-    const ours = rows(sites, coordinates);
+    const ours = rows(sites, xy);
     const theirs = rows(delaunay.triangles, delaunay.voronoi([0, 0, 960, 500]).circumcenters);
     expect(ours.map(({ key }) => key)).toEqual(theirs.map(({ key }) => key));
     ours.forEach(({ x, y }, k) => {

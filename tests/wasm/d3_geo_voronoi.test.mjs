@@ -21,6 +21,10 @@ const { delaunay } = voronoi;
 const key = (ids) => [...ids].sort((a, b) => a - b).join(" ");
 const rowsOf = (array, width) =>
   Array.from({ length: array.length / width }, (_, k) => array.slice(width * k, width * (k + 1)));
+const doc = readFileSync(path.join(root, "docs/D3_DELAUNAY.md"), "utf8");
+const table = doc.slice(doc.indexOf("# From d3-geo-voronoi"));
+/** The code that asks for the triangulation. */
+const codeOf = (text) => /```js\n([^`]*triangulation\(\)[^`]*)```/.exec(text)[1];
 /** Positive where three points are counter-clockwise as seen from outside. */
 function orientation(ids) {
   const [a, b, c] = [...ids].map((id) => {
@@ -69,6 +73,23 @@ describe.each([0, 0.3, -0.2])("all weights %d", (r) => {
     });
     expect(triples.every((ids) => orientation(ids) > 0)).toBe(true);
     expect(delaunay.triangles.every((ids) => orientation(ids) < 0)).toBe(true);
+  });
+
+  test("triples, links and the Urquhart graph, as the migration notes have them", () => {
+    const run = new Function(
+      "diagram",
+      "geoDistance",
+      `${codeOf(table)}; return Object.freeze({
+      triples, links, urquhart: urquhart.map((e) => [triangles[e], triangles[next(e)]]) });`,
+    );
+    const { triples, links, urquhart } = run(diagram, geoDistance);
+    expect(triples.map(key).sort()).toEqual(delaunay.triangles.map(key).sort());
+    expect(links.map(key).sort()).toEqual(delaunay.edges.map(key).sort());
+    const lengths = delaunay.edges.map(([a, b]) => geoDistance(points[a], points[b]));
+    const theirs = delaunay.urquhart(lengths);
+    const expected = delaunay.edges.filter((_, k) => theirs[k]).map(key);
+    expect(urquhart.map(key).sort()).toEqual(expected.sort());
+    expect(expected.length).toBeLessThan(links.length - 100);
   });
 
   test("polygons", () => {
@@ -142,8 +163,6 @@ test("one and two points: the sphere, and no triangle", () => {
 });
 
 test("the table has every public name, and names calls that are there", () => {
-  const doc = readFileSync(path.join(root, "docs/D3_DELAUNAY.md"), "utf8");
-  const table = doc.slice(doc.indexOf("# From d3-geo-voronoi"));
   const names = (object) => Object.keys(object).filter((name) => !name.startsWith("_"));
   const missing = [
     ...names(voronoi)

@@ -134,7 +134,7 @@ describe.each(sets)("%s", (_, xyr) => {
     expect(whole.toGeoJSON().features.length).toBeGreaterThan(0);
     expect(diagram.renderSites() === "").toBe(xyr.every((r, k) => k % 3 < 2 || r === 0));
     expect(diagram.hull().length).toBeGreaterThan(2);
-    expect(diagram.vertices().coordinates.length).toBeGreaterThan(count);
+    expect(diagram.vertices().xy.length).toBeGreaterThan(count);
     expect(diagram.search(xmin, ymin, xmax, ymax)).toHaveLength(count);
     expect(diagram.kNearest(xyr[0], xyr[1], count)).toHaveLength(count);
     // A side of 1e99 leaves nothing of one of 1e50 where it is slanted.

@@ -157,24 +157,14 @@ describe("the diagram stays as it is", () => {
   });
   afterEach(() => expect(diagram.toBytes()).toEqual(before));
 
-  test("when it is stopped", () => {
-    const steps = [];
-    const stopped = voronoi.fitAreas(targets, {
-      onIteration: ({ iterations }) => {
-        steps.push(iterations);
-        return iterations < 3;
-      },
-    });
-    expect(stopped).toBe(null);
-    expect(steps).toEqual([1, 2, 3]);
-  });
-
-  test("when the callback throws", () => {
+  test("when the callback throws, which stops it", () => {
     const fault = new Error("mine");
-    const onIteration = () => {
-      throw fault;
+    const steps = [];
+    const onIteration = ({ iterations }) => {
+      if (steps.push(iterations) === 3) throw fault;
     };
     expect(() => voronoi.fitAreas(targets, { onIteration })).toThrow(fault);
+    expect(steps).toEqual([1, 2, 3]);
   });
 
   const refusals = [
@@ -300,10 +290,53 @@ describe("fitAreasAsync", () => {
     expect((await new Diagram([5, 5, 3]).voronoi().fitAreasAsync([17])).weights).toEqual(
       Float64Array.of(3),
     );
-    const diagram = built();
-    const before = diagram.toBytes();
-    expect(await slowly(diagram, { onIteration: () => false })).toBeNull();
-    expect(diagram.toBytes()).toEqual(before);
+    // What the callback returns does not matter.
+    expect((await slowly(built(), { onIteration: () => false })).converged).toBe(true);
+  });
+
+  test("its progress never falls, and ends at 1 before the diagram changes", async () => {
+    for (const options of [{}, { tolerance: 1e-300 }, { tolerance: 1e6 }]) {
+      const diagram = built();
+      const before = diagram.toBytes();
+      const [shares, errors, sharesAtSteps] = [[], [], []];
+      const onIteration = ({ error }) => {
+        burn();
+        errors.push(error);
+        sharesAtSteps.push(shares.at(-1) ?? 0);
+      };
+      const onProgress = (share) => {
+        shares.push(share);
+        if (share === 1) expect(diagram.toBytes()).toEqual(before);
+      };
+      const { iterations } = await slowly(diagram, { ...options, onIteration, onProgress });
+      expect(shares).toEqual([...shares].sort((a, b) => a - b));
+      expect(shares[0]).toBeGreaterThanOrEqual(0);
+      expect(shares.at(-1)).toBe(1);
+      // Of steps that come nearer than any before, each is seen.
+      const better = errors.filter((error, k) => errors.slice(0, k).every((one) => one > error));
+      expect(new Set(sharesAtSteps).size).toBeGreaterThanOrEqual(Math.min(better.length, 3));
+      expect(errors.length).toBe(iterations);
+    }
+    const shares = [];
+    const onProgress = (share) => shares.push(share);
+    await new Diagram([5, 5, 3]).voronoi().fitAreasAsync([17], { onProgress });
+    expect(shares).toEqual([1]);
+  });
+
+  test("what onProgress throws, and an abort in it, leave the diagram as it is", async () => {
+    for (const at of [0, 1]) {
+      const [diagram, fault] = [built(), new Error("mine")];
+      const before = diagram.toBytes();
+      const throws = (share) => {
+        if (share >= at) throw fault;
+      };
+      await expect(slowly(diagram, { onProgress: throws })).rejects.toBe(fault);
+      const controller = new AbortController();
+      const { signal } = controller;
+      const aborts = (share) => share >= at && controller.abort(fault);
+      await expect(slowly(diagram, { signal, onProgress: aborts })).rejects.toBe(fault);
+      expect(diagram.toBytes()).toEqual(before);
+    }
   });
 
   const reason = new Error("enough");

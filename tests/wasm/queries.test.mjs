@@ -136,8 +136,8 @@ test("neighbors are counter-clockwise", () => {
 
 test("vertices of integer circles are integers where they can be", () => {
   const d = new Diagram([154, 103, 2, 147, 96, 2, 138, 105, 10]); // 3 from (150, 100)
-  const { coordinates, clearance } = d.vertices();
-  expect([...coordinates]).toEqual([150, 100]);
+  const { xy, clearance } = d.vertices();
+  expect([...xy]).toEqual([150, 100]);
   expect([...clearance]).toEqual([3]);
 });
 
@@ -161,7 +161,7 @@ test("an edge's ends are vertices of both of its sites, and Euler's formula hold
 
 test("an edge walked from its first to its second vertex has its first site on the left", () => {
   const { sites, vertices } = diagram.edges();
-  const { coordinates } = diagram.vertices();
+  const { xy } = diagram.vertices();
   for (let edge = 0; edge < sites.length / 2; ++edge) {
     const [from, to] = vertices.subarray(2 * edge, 2 * edge + 2);
     if (from === -1 || to === -1) continue;
@@ -169,8 +169,8 @@ test("an edge walked from its first to its second vertex has its first site on t
     const b = diagram.site(sites[2 * edge + 1]);
     // From the left site to the right one it is a right turn off the way: way x (b - a) is
     // negative.
-    const wayX = coordinates[2 * to] - coordinates[2 * from];
-    const wayY = coordinates[2 * to + 1] - coordinates[2 * from + 1];
+    const wayX = xy[2 * to] - xy[2 * from];
+    const wayY = xy[2 * to + 1] - xy[2 * from + 1];
     if (Math.hypot(wayX, wayY) < 1e-6) continue;
     expect(wayX * (b.y - a.y) - wayY * (b.x - a.x)).toBeLessThan(0);
   }

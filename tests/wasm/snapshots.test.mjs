@@ -24,9 +24,9 @@ function built() {
 
 /** All rows of all arrays, in their order. */
 function rows(diagram) {
-  const { coordinates, clearance, sites } = diagram.vertices();
+  const { xy, clearance, sites } = diagram.vertices();
   const edges = diagram.edges();
-  return [...coordinates, ...clearance, ...sites, ...edges.sites, ...edges.vertices].join();
+  return [...xy, ...clearance, ...sites, ...edges.sites, ...edges.vertices].join();
 }
 
 test("a restored diagram is the same", () => {

@@ -281,6 +281,47 @@ test("a restored diagram shows the same one of identical sites", () => {
   expect(SphericalDiagram.fromBytes(diagram.toBytes()).toJSON()).toEqual(diagram.toJSON());
 });
 
+test.each(sets)("%s: its triangulation is closed, and has the rows of vertices", (_, list) => {
+  const diagram = new SphericalDiagram(list.flat());
+  const { points, triangles, halfedges, hull } = diagram.triangulation();
+  const next = (e) => (e % 3 === 2 ? e - 2 : e + 1);
+  expect(triangles).toEqual(diagram.vertices().sites);
+  expect(triangles.length).toBe(3 * Math.max(2 * diagram.visibleSize - 4, 0));
+  expect(halfedges.length).toBe(triangles.length);
+  halfedges.forEach((twin, e) => {
+    expect(halfedges[twin]).toBe(e);
+    expect([triangles[twin], triangles[next(twin)]]).toEqual([triangles[next(e)], triangles[e]]);
+  });
+  expect([...points]).toEqual(list.flatMap((one) => one.slice(0, 2)));
+  expect(hull).toEqual(new Uint32Array(0));
+  // Around each site are its neighbours.
+  const around = diagram.ids().reduce((lists, id) => lists.set(id, new Set()), new Map());
+  triangles.forEach((id, e) => around.get(id).add(triangles[next(e)]));
+  if (diagram.visibleSize > 2)
+    for (const [id, others] of around)
+      expect([...others].sort()).toEqual([...diagram.neighbors(id)].sort());
+});
+
+test("no, one and two visible sites have no triangle", () => {
+  const few = new SphericalDiagram();
+  for (const size of [0, 1, 2, 3]) {
+    // The last one is hidden.
+    if (size > 0) few.insert(40 * size, 10, size === 3 ? -1 : 0.1);
+    if (size === 3) few.update(2, 40, 10, 0);
+    const { points, triangles, halfedges, hull } = few.triangulation();
+    expect([triangles.length, halfedges.length, hull.length]).toEqual([0, 0, 0]);
+    expect(points.length).toBe(2 * size);
+  }
+  expect(few.visibleSize).toBe(2);
+  few.remove(0);
+  expect([...few.triangulation().points]).toEqual([NaN, NaN, 80, 10, 40, 10]);
+  few.clear();
+  few.insertMany([0, 0, 0, 90, 0, 0, 0, 90, 0]);
+  const { triangles, halfedges } = few.triangulation();
+  expect(triangles.length).toBe(6);
+  expect([...halfedges].sort()).toEqual([0, 1, 2, 3, 4, 5]);
+});
+
 test("an empty diagram answers, and one site has the whole sphere", () => {
   const diagram = new SphericalDiagram();
   expect([diagram.find(0, 0), diagram.nearest(0, 0), diagram.size]).toEqual([-1, null, 0]);

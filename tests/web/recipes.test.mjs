@@ -305,7 +305,7 @@ describeInBrowser("recipes", (open) => {
         for (let x = 2; x < window.shown.view.width(); x += 13)
           for (let y = 2; y < window.shown.view.height(); y += 13) {
             const around = [[-0.5, 0], [0.5, 0], [0, -0.5], [0, 0.5]];
-            const ids = around.map(([dx, dy]) => diagram.pick(x + dx, y + dy, 20));
+            const ids = around.map(([dx, dy]) => diagram.pick(x + dx, y + dy, { maxDistance: 20 }));
             if (new Set(ids).size > 1) continue;
             const [px, py] = toPage([x, y]);
             const there = document.elementFromPoint(box.x + px, box.y + py).__data__;

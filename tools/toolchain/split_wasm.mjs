@@ -14,7 +14,7 @@ export const parts = ["core", "shapes", "sphere"];
 /** The folders of the parts beside core, as they occur in the paths of object files. */
 const rooms = {
   shapes:
-    /\/src\/(geometry\/|api\/(voronoi|area_fit|region|enclosing_circle)\.)|\/bindings\/shapes\./,
+    /\/src\/(geometry\/|api\/(voronoi|area_fit|region|enclosing|narrowest))|\/bindings\/shapes\./,
   sphere: /\/src\/(sphere\/|api\/spherical_)|\/bindings\/sphere\./,
 };
 /** What JavaScript calls of a part first (wasm/bindings/parts.h), through exports of core. */

@@ -92,7 +92,7 @@ EMSCRIPTEN_BINDINGS(core) {
       .field("xyr", &apollonius::SiteArrays::xyr)
       .field("hidden", &apollonius::SiteArrays::hidden);
   value_object<apollonius::VertexArrays>("VertexArrays")
-      .field("coordinates", &apollonius::VertexArrays::coordinates)
+      .field("xy", &apollonius::VertexArrays::coordinates)
       .field("clearance", &apollonius::VertexArrays::clearance)
       .field("sites", &apollonius::VertexArrays::sites);
   value_object<apollonius::EdgeArrays>("EdgeArrays")

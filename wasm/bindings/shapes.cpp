@@ -215,6 +215,10 @@ void registerShapes() {
       .field("curves", &apollonius::CurveArrays::curves)
       .field("sites", &apollonius::CurveArrays::sites)
       .field("starts", &apollonius::CurveArrays::starts);
+  value_object<apollonius::EdgeGraph>("EdgeGraph")
+      .field("vertices", &apollonius::EdgeGraph::vertices)
+      .field("edges", &apollonius::EdgeGraph::edges)
+      .field("narrowest", &apollonius::EdgeGraph::narrowest);
   value_object<apollonius::CellMoments>("CellMoments")
       .field("area", &apollonius::CellMoments::area)
       .field("centroidX", &apollonius::CellMoments::centroidX)
@@ -269,6 +273,8 @@ void registerShapes() {
            moved);
   function("cellCurves", inWindow<&Voronoi::cellCurves>(), allow_raw_pointers(), moved);
   function("edgeCurves", inWindow<&Voronoi::edgeCurves>(), allow_raw_pointers(), moved);
+  function("edgeGraph", inWindow<&Voronoi::edgeGraph>(), allow_raw_pointers(), moved);
+  function("narrowest", returning<&Diagram::narrowest>(), moved);
   function("cellNeighbors", inWindow<&Voronoi::neighbors>(), allow_raw_pointers());
   function("cellMoments", inWindow<&Voronoi::cellMoments>(), allow_raw_pointers());
   function("cellMeasures", inWindow<&Voronoi::cellMeasures>(), allow_raw_pointers());

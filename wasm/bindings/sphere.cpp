@@ -90,6 +90,7 @@ void registerSphere() {
       .constructor(&createSpherical, allow_raw_pointers())
       .function("radius", &SphericalDiagram::radius)
       .function("insertMany", &insertIntoSphere)
+      .function("narrowest", returning<&SphericalDiagram::narrowest>(), moved)
       .function("emptyCircles", returning<&SphericalDiagram::emptyCircles>(), moved)
       .function("contains", returning<&SphericalDiagram::contains>())
       .function("cellArea", returning<&SphericalDiagram::cellArea>())

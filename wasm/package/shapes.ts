@@ -5,6 +5,7 @@ import { embed } from "./core/native/embedded.js";
 
 export * from "./shapes/api.js";
 export {
+  edges,
   render,
   renderHull,
   renderSites,

@@ -12,29 +12,23 @@ const width = 920,
  * and the clearance where it is narrowest; null if there is no way.
  */
 export function widestPath(diagram, bounds, start, goal) {
-  // Places are ends of curves: vertices of the diagram, and points where its edges leave the
-  // window.
-  const { curves, sites } = diagram.voronoi(bounds).edgeCurves();
-  const roads = new Map();
-  const addRoad = (from, road) =>
-    roads.has(`${from}`) ? roads.get(`${from}`).push(road) : roads.set(`${from}`, [road]);
-  for (let k = 0; k < sites.length / 2; ++k) {
-    const ends = [0, 1].map((t) => curvePoint(curves, k, t));
-    // Along the edge of sites a and b the clearance is smallest where it crosses the line of their
-    // centres; else at an end.
-    const [a, b] = [diagram.site(sites[2 * k]), diagram.site(sites[2 * k + 1])];
-    const [from, to] = ends.map(([x, y]) => (b.x - a.x) * (y - a.y) - (b.y - a.y) * (x - a.x));
-    const gap = (Math.hypot(b.x - a.x, b.y - a.y) - a.r - b.r) / 2;
-    const width =
-      from * to < 0 ? gap : Math.min(...ends.map(([x, y]) => Math.hypot(x - a.x, y - a.y) - a.r));
-    if (width <= 0) continue;
+  // Places are vertices of the diagram, and points where its edges leave the window.
+  const view = diagram.voronoi(bounds);
+  const { xy } = view.vertices();
+  const { vertices, clearance } = view.edges({ clearance: true });
+  const { curves } = view.edgeCurves();
+  const roads = Array.from({ length: xy.length / 2 }, () => []);
+  clearance.forEach((width, k) => {
+    if (width <= 0) return;
     const points = Array.from({ length: 21 }, (_, i) => curvePoint(curves, k, i / 20));
-    addRoad(ends[0], { to: ends[1], width, points });
-    addRoad(ends[1], { to: ends[0], width, points: points.toReversed() });
-  }
+    const [from, to] = vertices.subarray(2 * k, 2 * k + 2);
+    roads[from].push({ to, width, points });
+    roads[to].push({ to: from, width, points: points.toReversed() });
+  });
+  const places = [...roads.keys()].filter((place) => roads[place].length > 0);
   const nearest = ([x, y]) => {
-    const distance = (place) => Math.hypot(place.split(",")[0] - x, place.split(",")[1] - y);
-    return [...roads.keys()].reduce((a, b) => (distance(b) < distance(a) ? b : a));
+    const distance = (place) => Math.hypot(xy[2 * place] - x, xy[2 * place + 1] - y);
+    return places.reduce((a, b) => (distance(b) < distance(a) ? b : a));
   };
 
   // Dijkstra's algorithm with the narrowest passage so far in place of the length.
@@ -46,11 +40,11 @@ export function widestPath(diagram, bounds, start, goal) {
     const { width, path } = reached.get(place);
     if (place === last) return { path: path.flat(), clearance: width };
     open.delete(place);
-    for (const road of roads.get(place)) {
+    for (const road of roads[place]) {
       const passage = Math.min(width, road.width);
-      if (passage <= (reached.get(`${road.to}`)?.width ?? 0)) continue;
-      reached.set(`${road.to}`, { width: passage, path: [...path, road.points] });
-      open.add(`${road.to}`);
+      if (passage <= (reached.get(road.to)?.width ?? 0)) continue;
+      reached.set(road.to, { width: passage, path: [...path, road.points] });
+      open.add(road.to);
     }
   }
   return null;

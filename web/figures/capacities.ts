@@ -77,7 +77,7 @@ function stepsOf(places: readonly Point[], coast: readonly [number, number][]) {
   const better = errors.filter((error, k) => errors.slice(0, k).every((other) => other > error));
   const steps = better.map((tolerance) => {
     const fitted = diagramOf(places, equal).voronoi([coast]).fitAreas(kBeds, { tolerance });
-    return fitted?.weights ?? equal;
+    return fitted.weights;
   });
   return { steps: [equal, ...steps], better };
 }

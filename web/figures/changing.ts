@@ -64,8 +64,8 @@ export function walk(diagram: Diagram, x: number, y: number, start: number) {
 
 /** The vertices, as rows of `vertices()`, whose empty circles a circle reaches into. */
 export function conflicts(diagram: Diagram, circle: Circle) {
-  const { coordinates, clearance } = diagram.vertices();
-  return Array.from(clearance, (r, k) => ({ x: coordinates[2 * k], y: coordinates[2 * k + 1], r }))
+  const { xy, clearance } = diagram.vertices();
+  return Array.from(clearance, (r, k) => ({ x: xy[2 * k], y: xy[2 * k + 1], r }))
     .filter(({ x, y, r }) => distanceTo(circle, x, y) < r)
     .sort((a, b) => distanceTo(circle, a.x, a.y) - a.r - distanceTo(circle, b.x, b.y) + b.r);
 }

@@ -62,11 +62,11 @@ function take(state: State, seed: number) {
 /** Edges whose two ends are at one place. */
 function lengthless(diagram: Diagram) {
   const { vertices } = diagram.edges();
-  const { coordinates } = diagram.vertices();
+  const { xy } = diagram.vertices();
   let count = 0;
   for (let k = 0; k < vertices.length; k += 2) {
     const [a, b] = [2 * vertices[k], 2 * vertices[k + 1]];
-    const isOne = coordinates[a] === coordinates[b] && coordinates[a + 1] === coordinates[b + 1];
+    const isOne = xy[a] === xy[b] && xy[a + 1] === xy[b + 1];
     if (a >= 0 && b >= 0 && isOne) count++;
   }
   return count;

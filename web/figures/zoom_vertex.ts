@@ -41,11 +41,11 @@ const around = (diagram: Diagram) =>
 /** The vertices next to 0, and whether the first and the third cell share an edge. */
 function splitOf({ diagram }: State) {
   const four = around(diagram);
-  const { coordinates, sites } = diagram.vertices();
+  const { xy, sites } = diagram.vertices();
   const places: [number, number][] = [];
   for (let k = 0; k < sites.length; k += 3)
     if ([0, 1, 2].every((n) => four.includes(sites[k + n])))
-      places.push([coordinates[(2 * k) / 3], coordinates[(2 * k) / 3 + 1]]);
+      places.push([xy[(2 * k) / 3], xy[(2 * k) / 3 + 1]]);
   const isFirst = diagram.neighbors(four[0]).includes(four[2]);
   return { places, isFirst };
 }

@@ -20,18 +20,6 @@ double endOfReach(const Site& site, ReachOfSite reach, const Site& other,
   return cosh + (isImmense ? cosh : std::sqrt((cosh - 1) * (cosh + 1)));
 }
 
-/// The places of a piece's ends. Where a circle nearly covers the other, both sides of the branch
-/// are one ray in doubles; then the weight tells how far the piece goes to both sides of its
-/// middle.
-std::pair<double, double> rangeOf(const Bisector& bisector, const Conic& piece) {
-  const double e0 = bisector.parameterOf(piece.p0), e1 = bisector.parameterOf(piece.p2);
-  constexpr double kWide = 2;
-  const double half = piece.w + std::sqrt(std::max((piece.w - 1) * (piece.w + 1), 0.0));
-  if (piece.w < kWide || e1 >= half * e0) return {e0, std::max(e0, e1)};
-  const double middle = bisector.parameterOf(piece.at(0.5));
-  return {middle / half, middle * half};
-}
-
 /// A place on the bisector, and its point.
 struct Place {
   double e;
@@ -43,6 +31,15 @@ ReachedPiece reversed(const ReachedPiece& piece) {
 }
 
 }  // namespace
+
+std::pair<double, double> rangeOf(const Bisector& bisector, const Conic& piece) {
+  const double e0 = bisector.parameterOf(piece.p0), e1 = bisector.parameterOf(piece.p2);
+  constexpr double kWide = 2;
+  const double half = piece.w + std::sqrt(std::max((piece.w - 1) * (piece.w + 1), 0.0));
+  if (piece.w < kWide || e1 >= half * e0) return {e0, std::max(e0, e1)};
+  const double middle = bisector.parameterOf(piece.at(0.5));
+  return {middle / half, middle * half};
+}
 
 ReachedEdge reachedEdge(const Site& site, ReachOfSite reach, const Site& neighbor,
                         ReachOfSite itsReach, const Conic& curve) {

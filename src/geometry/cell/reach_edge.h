@@ -4,7 +4,9 @@
 #pragma once
 
 #include <array>
+#include <utility>
 
+#include "geometry/curve/bisector.h"
 #include "geometry/curve/conic.h"
 #include "predicate/site.h"
 
@@ -32,6 +34,11 @@ struct ReachedEdge {
   std::array<ReachedPiece, 3> pieces;
   std::size_t count = 0;
 };
+
+/// The places E of a piece's ends. Where a circle nearly covers the other, both sides of the branch
+/// are one ray in doubles; then the weight tells how far the piece goes to both sides of its
+/// middle. REQUIRES: the piece runs counter-clockwise about the reference site.
+[[nodiscard]] std::pair<double, double> rangeOf(const Bisector& bisector, const Conic& piece);
 
 /// Cuts a piece of the edge of two sites, counter-clockwise about the first one, at the distances
 /// that these reach. Both get the same bits of what they share.

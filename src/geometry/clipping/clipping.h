@@ -17,11 +17,18 @@
 
 namespace apollonius::internal {
 
-/// Takes the curves of edges, one by one.
+/// A piece of an edge, counter-clockwise about its reference site, and at which of its ends the
+/// edge ends, too: at a Voronoi vertex. It is cut at the others.
+struct EdgePart {
+  Conic curve;
+  bool startsAtVertex, endsAtVertex;
+};
+
+/// Takes the pieces of edges, one by one.
 class EdgeVisitor {
  public:
-  /// The curve is a piece of the edge of h.
-  virtual void visit(HalfedgeId h, const Conic& curve) = 0;
+  /// The piece is of the edge of h, which starts at its reference site.
+  virtual void visit(HalfedgeId h, const EdgePart& piece) = 0;
 
  protected:
   ~EdgeVisitor() = default;

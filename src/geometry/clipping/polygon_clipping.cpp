@@ -15,11 +15,11 @@ std::unique_ptr<CellClipper> PolygonClipping::cells(Parts parts) const {
 }
 
 void PolygonClipping::visitEdges(EdgeVisitor& visitor) const {
-  clippedDiagram_.visitEdges(VertexPrecision::kReproducible,
-                             [&](HalfedgeId h, const Edge& edge, const InsideInterval& piece) {
-                               if (!clippedDiagram_.isTouch(h, edge, piece))
-                                 visitor.visit(h, piece.curve);
-                             });
+  clippedDiagram_.visitEdges(VertexPrecision::kReproducible, [&](HalfedgeId h, const Edge& edge,
+                                                                 const InsideInterval& piece) {
+    if (clippedDiagram_.isTouch(h, edge, piece)) return;
+    visitor.visit(h, {piece.curve, piece.startsAtVertex, piece.endsAtVertex});
+  });
 }
 
 void PolygonClipping::measureCells(Measure what, std::vector<double>& measures) const {

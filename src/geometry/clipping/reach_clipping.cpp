@@ -14,14 +14,19 @@ class SharedEdges final : public EdgeVisitor {  // NOLINT: nothing derives from 
   SharedEdges(const DiagramCore& core, const Reach& reach, EdgeVisitor& visitor)
       : core_(core), reach_(reach), visitor_(visitor) {}
 
-  void visit(HalfedgeId h, const Conic& curve) override {
+  void visit(HalfedgeId h, const EdgePart& piece) override {
     const Graph& graph = core_.delaunay().graph();
     const VertexId from = graph.origin(h), to = graph.target(h);
     const Site &a = core_.delaunay().site(from), &b = core_.delaunay().site(to);
     const ReachedEdge edge = reachedEdge(a, reachOf(a, reach_.of(core_.siteOf(from))), b,
-                                         reachOf(b, reach_.of(core_.siteOf(to))), curve);
+                                         reachOf(b, reach_.of(core_.siteOf(to))), piece.curve);
     for (std::size_t k = 0; k < edge.count; ++k) {
-      if (edge.pieces[k].isShared) visitor_.visit(h, edge.pieces[k].curve);
+      const ReachedPiece& reached = edge.pieces[k];
+      if (!reached.isShared) continue;
+      const bool isFirst = k == 0 && !reached.isFromCut;
+      const bool isLast = k + 1 == edge.count && !reached.isToCut;
+      visitor_.visit(
+          h, {reached.curve, isFirst && piece.startsAtVertex, isLast && piece.endsAtVertex});
     }
   }
 

@@ -13,7 +13,9 @@ std::unique_ptr<CellClipper> RectangleClipping::cells(Parts parts) const {
 void RectangleClipping::visitEdges(EdgeVisitor& visitor) const {
   forEachClippedPiece(core_.delaunay(), box_, VertexPrecision::kReproducible,
                       [&](HalfedgeId h, const ClippedPiece& piece) {
-                        if (!piece.isTouch) visitor.visit(h, piece.curve);
+                        if (piece.isTouch) return;
+                        visitor.visit(
+                            h, {piece.curve, piece.fromSide == kNoSide, piece.toSide == kNoSide});
                       });
 }
 

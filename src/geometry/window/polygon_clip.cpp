@@ -78,19 +78,21 @@ Edge ClippedDiagram::edgeInside(HalfedgeId h, VertexPrecision precision,
   int multiplicity = windingOf(faceOf(delaunay.graph().twin(h)));
   double e = edge.e0;
   Point at = edge.from.point;
-  bool isFinite = edge.from.isFinite;
-  const auto goTo = [&](double nextE, Point next, bool isNextFinite) {
+  bool isFinite = edge.from.isFinite, isVertex = true;
+  const auto goTo = [&](double nextE, Point next, bool isNextFinite, bool isNextVertex) {
     if (multiplicity != 0 && isFinite && isNextFinite)
-      pieces.push_back({e, nextE, pieceInside(edge, e, nextE, at, next), multiplicity});
+      pieces.push_back(
+          {e, nextE, pieceInside(edge, e, nextE, at, next), multiplicity, isVertex, isNextVertex});
     e = nextE;
     at = next;
     isFinite = isNextFinite;
+    isVertex = isNextVertex;
   };
   for (const std::uint32_t k : crossingsOf(h)) {
-    goTo(crossings_[k].e, crossings_[k].point, true);
+    goTo(crossings_[k].e, crossings_[k].point, true, false);
     multiplicity += crossings_[k].isForward ? 1 : -1;
   }
-  goTo(edge.e1, edge.to.point, edge.to.isFinite);
+  goTo(edge.e1, edge.to.point, edge.to.isFinite, true);
   return edge;
 }
 

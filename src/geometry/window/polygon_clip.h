@@ -39,7 +39,8 @@ struct Crossing {
 struct InsideInterval {
   double e0, e1;
   Conic curve;
-  int multiplicity;  ///< how often it is inside: once, but for rounding
+  int multiplicity;                   ///< how often it is inside: once, but for rounding
+  bool startsAtVertex, endsAtVertex;  ///< rather than at a crossing
 };
 
 class ClippedDiagram {

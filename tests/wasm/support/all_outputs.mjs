@@ -138,6 +138,8 @@ async function addWindows(diagram, bytes, random) {
     bytes.add([
       view.toGeoJSON(),
       view.edgeCurves(),
+      view.edges({ clearance: true }),
+      view.vertices(),
       view.cellCentroids(),
       view.cellPerimeters(),
       view.cellAreas(),
@@ -182,6 +184,7 @@ async function addSphere({ SphericalDiagram }, bytes) {
   bytes.add([
     [globe.radius, globe.size, globe.visibleSize, globe.hiddenSize, String(globe), globe.has(3)],
     [globe.sites(), globe.toJSON(), globe.vertices(), globe.edges(), globe.validate()],
+    [globe.edges({ clearance: true }), globe.triangulation()],
     [globe.nearestMany(points), globe.pickMany(points)],
     [globe.kNearestMany(points, 4, { distances: true }), globe.withinMany(points, 900)],
     [globe.largestEmptyCircle(), globe.emptyCircles(12), globe.interpolate(values, points)],
@@ -277,7 +280,7 @@ function outputs(diagram, bytes, random, curvePoint, curveTangent) {
     sites,
     sizes: [diagram.size, diagram.visibleSize, diagram.hiddenSize],
     vertices: diagram.vertices(),
-    edges: diagram.edges(),
+    edges: diagram.edges({ clearance: true }),
     hull: diagram.hull(),
     around: diagram.smallestEnclosingCircle(),
   });

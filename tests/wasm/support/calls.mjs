@@ -7,6 +7,7 @@ import {
   aspects,
   searchedBy,
   bounds,
+  edgesBy,
   inWindow,
   fitBy,
   number,
@@ -288,7 +289,7 @@ export const diagramCalls = {
     ],
   },
   neighbors: ofSite("neighbors"),
-  edges: works((d) => d.edges()),
+  edges: edgesBy((d, options) => d.edges(options)),
   vertices: works((d) => d.vertices()),
   levels: works((d) => d.levels()),
   voronoi: {
@@ -372,6 +373,8 @@ export const voronoiCalls = {
   },
   cellCurves: ofCell("cellCurves"),
   edgeCurves: works(inWindow((v) => v.edgeCurves())),
+  edges: edgesBy(inWindow((v, options) => v.edges(options))),
+  vertices: works(inWindow((v) => v.vertices())),
   toGeoJSON: {
     use: inWindow((v) => v.toGeoJSON()),
     refuses: [
@@ -520,6 +523,11 @@ export const voronoiCalls = {
         "bad-option",
         (d) => fitBy("fitAreasAsync")(d, { signal: 7 }),
         "options.signal is 7, expected",
+      ],
+      [
+        "bad-option",
+        (d) => fitBy("fitAreasAsync")(d, { onProgress: 7 }),
+        "options.onProgress is 7, expected a function",
       ],
     ],
   },

@@ -90,7 +90,7 @@ class Voronoi {
     return this;
   }
   get circumcenters() {
-    return this.delaunay.diagram.vertices().coordinates;
+    return this.delaunay.diagram.vertices().xy;
   }
   contains(i, x, y) {
     return this.view.contains(i, x, y);

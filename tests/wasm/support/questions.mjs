@@ -213,9 +213,9 @@ export const asking = {
   vertices: [
     [],
     (d, m) => {
-      const { coordinates, clearance, sites } = d.vertices();
+      const { xy, clearance, sites } = d.vertices();
       clearance.forEach((s, k) => {
-        const [x, y] = coordinates.slice(2 * k, 2 * k + 2),
+        const [x, y] = xy.slice(2 * k, 2 * k + 2),
           size = 1e-9 * (Math.abs(x) + Math.abs(y) + Math.abs(s) + 1);
         for (const site of sites.slice(3 * k, 3 * k + 3))
           expect(Math.abs(distanceTo(m.circles.get(site), x, y) - s)).toBeLessThanOrEqual(size);

@@ -155,6 +155,13 @@ export const flat = (call, into) => [
 ];
 
 export const works = (use) => ({ use, refuses: [] });
+export const edgesBy = (use) => ({
+  use,
+  refuses: [
+    ...unknownOption(use),
+    ["bad-option", (d) => use(d, { clearance: 1 }), "options.clearance is 1, expected false or"],
+  ],
+});
 export const ofSite = (name) => {
   const use = (d, site = 0) => d[name](site);
   return { use, refuses: id(use) };

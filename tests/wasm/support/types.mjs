@@ -103,15 +103,25 @@ const windows: Region[] = [
 for (const window of windows) diagram.voronoi(window);
 
 const targets: AreaTargets[] = [[1], new Float64Array(1), new Map([[0, 1]]), { 0: 1 }];
-const fitted: FittedAreas | null = view.fitAreas(targets[0]!, { strict: true });
-const outcome: [boolean, string | undefined] | undefined =
-  fitted === null ? undefined : [fitted.converged, fitted.reason];
-const later: Promise<FittedAreas | null> = view.fitAreasAsync(new Map([[0, 1]]), { signal });
+const fitted: FittedAreas = view.fitAreas(targets[0]!, { strict: true });
+const outcome: [boolean, string | undefined] = [fitted.converged, fitted.reason];
+const later: Promise<FittedAreas> = view.fitAreasAsync(new Map([[0, 1]]), {
+  signal,
+  onProgress: (done: number) => done,
+});
 // @ts-expect-error: that one cannot be aborted
 view.fitAreas([1], { signal });
 // @ts-expect-error: targets are numbers
 view.fitAreas({ 0: "1" });
 const point: [number, number] = curvePoint(view.edgeCurves().curves, 0, 0.5);
+const gaps: [Float64Array, Float64Array] = [
+  view.edges({ clearance: true }).clearance, diagram.edges({ clearance: true }).xy,
+];
+// @ts-expect-error: nobody has asked for it
+diagram.edges().clearance;
+// @ts-expect-error: no such option
+view.edges({ clearances: true });
+const ends: [Int32Array, Float64Array] = [view.vertices().sites, diagram.vertices().xy];
 declare const context: CanvasRenderingContext2D | null | undefined;
 const path: string | void = view.render(context);
 const sides: string = view.renderBounds(null, { digits: 2 });

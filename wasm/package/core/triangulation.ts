@@ -1,7 +1,7 @@
 // The Delaunay graph in the arrays of d3-delaunay and delaunator.
 import { ApolloniusError } from "../errors.js";
 import { described } from "./arguments.js";
-import type { NativeDiagram } from "./native/module.js";
+import type { AnyNative, NativeDiagram } from "./native/module.js";
 import { drawn, type DrawOptions, type PathContext } from "./path.js";
 import type { Position } from "./types.js";
 
@@ -46,11 +46,17 @@ export interface Triangulation {
 
 /** @internal */
 export function triangulationOf(native: NativeDiagram): Triangulation {
+  const { points, triangles, halfedges } = trianglesOf(native);
+  return new Arrays(points, triangles, halfedges, native.hull());
+}
+
+/** @internal The arrays that a diagram of the sphere has, too. */
+export function trianglesOf(native: AnyNative) {
   const { ids, xyr } = native.sites();
   const points = new Float64Array(2 * native.idLimit()).fill(NaN);
   ids.forEach((id, k) => points.set(xyr.subarray(3 * k, 3 * k + 2), 2 * id));
   const { sites: triangles } = native.vertices();
-  return new Arrays(points, triangles, twinsOf(native, triangles), native.hull());
+  return { points, triangles, halfedges: twinsOf(native, triangles) };
 }
 
 class Arrays implements Triangulation {
@@ -103,7 +109,7 @@ class Arrays implements Triangulation {
 }
 
 /** By the edges, each of which knows the triangles on both of its sides. */
-function twinsOf(native: NativeDiagram, triangles: Uint32Array): Int32Array {
+function twinsOf(native: AnyNative, triangles: Uint32Array): Int32Array {
   const { sites, vertices } = native.edges();
   const twins = new Int32Array(triangles.length).fill(-1);
   // The sites of a triangle are three different ones, so that one half-edge of it starts there.

@@ -37,7 +37,7 @@ export interface Sites {
  */
 export interface Vertices {
   /** x, y of each vertex. */
-  coordinates: Float64Array;
+  xy: Float64Array;
   /**
    * Common distance of each vertex to its three sites: the radius of the largest empty circle
    * there.

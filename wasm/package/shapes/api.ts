@@ -14,6 +14,8 @@ export type {
   CellRing,
   DualOptions,
   EdgeCurves,
+  EdgeOptions,
+  EdgesWithClearance,
   EmptyCircle,
   EmptyCircleOptions,
   EnclosingCircle,
@@ -28,6 +30,7 @@ export type {
   NumbersById,
   PolygonOptions,
   Projection,
+  VerticesInside,
   VoronoiOptions,
   VoronoiWindow,
 } from "./types.js";

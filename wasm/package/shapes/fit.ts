@@ -24,13 +24,13 @@ import type {
 
 const kOptions = ["tolerance", "maxIterations", "strict", "start", "onIteration"];
 
-/** The weights are the diagram's then; null if stopped. */
+/** The weights are the diagram's then. */
 export function fitAreas(
   native: NativeShapes,
   windowNow: () => NativeWindow,
   targets: AreaTargets,
   options: FitOptions | undefined,
-): FittedAreas | null {
+): FittedAreas {
   checkOptions(options, ...kOptions);
   const search = new Search(native, windowNow, targets, options);
   try {
@@ -47,14 +47,16 @@ export async function fitAreasAsync(
   windowNow: () => NativeWindow,
   targets: AreaTargets,
   options: AsyncFitOptions | undefined,
-): Promise<FittedAreas | null> {
-  checkOptions(options, ...kOptions, "signal");
-  const slices = new Slices({ signal: options?.signal });
+): Promise<FittedAreas> {
+  checkOptions(options, ...kOptions, "signal", "onProgress");
+  const { signal, onProgress } = options ?? {};
+  const slices = new Slices({ signal, onProgress });
   const search = new Search(native, windowNow, targets, options);
   try {
     do {
-      if (slices.isOver) await slices.next(0);
+      if (slices.isOver) await slices.next(search.share());
     } while (search.advance());
+    onProgress?.(1);
     slices.expectNoAbort();
     return search.finish();
   } finally {
@@ -71,7 +73,8 @@ class Search {
   readonly #onIteration: FitOptions["onIteration"];
   readonly #fitting: Fitting;
   #progress: FitProgress;
-  #isStopped = false;
+  readonly #firstError: number;
+  #share = 0;
   #reason: string | undefined;
 
   constructor(
@@ -92,7 +95,8 @@ class Search {
       );
     this.#onIteration = onIteration;
     this.#fitting = begin(native, windowNow, targets, start);
-    this.#progress = { iterations: 0, error: this.#fitting.error() };
+    this.#firstError = this.#fitting.error();
+    this.#progress = { iterations: 0, error: this.#firstError };
   }
 
   /** One step; false if there are no more to take. */
@@ -114,13 +118,23 @@ class Search {
       return false;
     }
     this.#progress = { iterations: iterations + 1, error: next };
-    this.#isStopped = this.#onIteration?.({ ...this.#progress }) === false;
-    return !this.#isStopped;
+    this.#onIteration?.({ ...this.#progress });
+    return true;
+  }
+
+  /**
+   * The share that is done, from 0 to 1, which never falls: of the orders of magnitude between the
+   * first error and the tolerance.
+   */
+  share(): number {
+    const way = Math.log(this.#firstError / this.#tolerance);
+    const done = Math.log(this.#firstError / this.#progress.error);
+    if (done > this.#share * way) this.#share = Math.min(done / way, 1);
+    return this.#share;
   }
 
   /** Gives the weights to the diagram. */
-  finish(): FittedAreas | null {
-    if (this.#isStopped) return null;
+  finish(): FittedAreas {
     const weights = this.#fitting.weights();
     if (weights.length > 0) this.#native.finishFit(this.#fitting);
     const reason = this.#reason;

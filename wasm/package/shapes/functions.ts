@@ -4,10 +4,17 @@ import type { Diagram } from "../core/diagram.js";
 import { nativeOf } from "../core/inner.js";
 import { shapesOf } from "../core/native/module.js";
 import type { DrawOptions, PathContext } from "../core/path.js";
-import type { Bounds } from "../core/types.js";
+import type { Bounds, Edges } from "../core/types.js";
 import { drawDual, drawWhole } from "./drawing.js";
+import { isWithClearance, narrowestOf } from "./edges.js";
 import type { Region } from "./region.js";
-import type { DualOptions, EnclosingCircle, VoronoiOptions } from "./types.js";
+import type {
+  DualOptions,
+  EdgeOptions,
+  EdgesWithClearance,
+  EnclosingCircle,
+  VoronoiOptions,
+} from "./types.js";
 import { Voronoi } from "./voronoi.js";
 
 /**
@@ -20,6 +27,20 @@ export function voronoi(
   options?: VoronoiOptions,
 ): Voronoi {
   return Voronoi.of(diagram, window, options);
+}
+
+/** All Voronoi edges: `diagram.edges(options)` of the default entry. */
+export function edges(
+  diagram: Diagram,
+  options: EdgeOptions & { clearance: true },
+): EdgesWithClearance;
+export function edges(diagram: Diagram, options?: EdgeOptions): Edges;
+export function edges(diagram: Diagram, options?: EdgeOptions): Edges {
+  const isClear = isWithClearance(options);
+  const native = nativeOf(diagram);
+  return isClear
+    ? { ...native.edges(), ...narrowestOf(shapesOf(native).narrowest()) }
+    : native.edges();
 }
 
 /** Draws the dual graph: `diagram.render(context, options)` of the default entry. */

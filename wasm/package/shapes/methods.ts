@@ -2,10 +2,23 @@
 // that of `apollonius-diagram/core`, which is the same class.
 import { Diagram as Core } from "../core/diagram.js";
 import type { DrawOptions, PathContext } from "../core/path.js";
-import type { Bounds } from "../core/types.js";
-import { render, renderHull, renderSites, smallestEnclosingCircle, voronoi } from "./functions.js";
+import type { Bounds, Edges } from "../core/types.js";
+import {
+  edges,
+  render,
+  renderHull,
+  renderSites,
+  smallestEnclosingCircle,
+  voronoi,
+} from "./functions.js";
 import type { Region } from "./region.js";
-import type { DualOptions, EnclosingCircle, VoronoiOptions } from "./types.js";
+import type {
+  DualOptions,
+  EdgeOptions,
+  EdgesWithClearance,
+  EnclosingCircle,
+  VoronoiOptions,
+} from "./types.js";
 import type { Voronoi } from "./voronoi.js";
 
 declare module "../core/diagram.js" {
@@ -19,6 +32,13 @@ declare module "../core/diagram.js" {
      * "not-finite", "out-of-range", "bad-length", "unknown-site".
      */
     voronoi(window?: Bounds | Region, options?: VoronoiOptions): Voronoi;
+
+    /**
+     * All Voronoi edges; with `clearance` also the smallest clearance on each, and where that is.
+     * O(n). Throws "bad-option".
+     */
+    edges(options: EdgeOptions & { clearance: true }): EdgesWithClearance;
+    edges(options?: EdgeOptions): Edges;
 
     /**
      * Draws the dual graph as the paper's Appendix A embeds it: each Delaunay edge as a piece of a
@@ -61,6 +81,9 @@ const methods = {
   voronoi(window, options) {
     return voronoi(this, window, options);
   },
+  edges(options?: EdgeOptions) {
+    return edges(this, options);
+  },
   render(context?: PathContext | null, options?: DualOptions) {
     return render(this, context, options);
   },
@@ -73,7 +96,10 @@ const methods = {
   smallestEnclosingCircle() {
     return smallestEnclosingCircle(this);
   },
-} as Pick<Core, "voronoi" | "render" | "renderSites" | "renderHull" | "smallestEnclosingCircle"> &
+} as Pick<
+  Core,
+  "voronoi" | "edges" | "render" | "renderSites" | "renderHull" | "smallestEnclosingCircle"
+> &
   ThisType<Core>;
 
 /** Gives diagrams these methods; returns their class. */

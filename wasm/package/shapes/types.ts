@@ -1,6 +1,6 @@
 // What the calls of Voronoi take and return.
 import type { DrawOptions } from "../core/path.js";
-import type { Bounds, Position } from "../core/types.js";
+import type { Bounds, Edges, Position, Vertices } from "../core/types.js";
 
 // --- Fits, windows, questions --------------------------------------------------------------------
 
@@ -176,16 +176,23 @@ export interface FitOptions {
    */
   start?: ArrayLike<number> | undefined;
   /**
-   * Called after each step; `false` stops, and the diagram stays as it is. It may not change the
-   * diagram.
+   * Called after each step. It may throw, which stops the search, and the diagram stays as it is.
+   * It may not change the diagram.
    */
-  onIteration?: ((progress: FitProgress) => unknown) | undefined;
+  onIteration?: ((progress: FitProgress) => void) | undefined;
 }
 
 /** Options of `fitAreasAsync`. */
 export interface AsyncFitOptions extends FitOptions {
   /** Ends the search when it aborts; the promise is rejected with its reason. */
   signal?: AbortSignal | undefined;
+  /**
+   * Called after each slice with the share that is done, from 0 to 1, which never falls: how far
+   * the least `error` so far has come from the first one to the tolerance, by orders of magnitude.
+   * How many steps are left it cannot tell. The last call gets 1, before the diagram changes. It
+   * may throw.
+   */
+  onProgress?: ((done: number) => void) | undefined;
 }
 
 // --- Shapes --------------------------------------------------------------------------------------
@@ -204,6 +211,35 @@ export interface EdgeCurves {
   curves: Float64Array;
   /** The two sites of each curve; the first one's cell is on the left from P0 to P2. */
   sites: Uint32Array;
+}
+
+/** Options of `edges`. */
+export interface EdgeOptions {
+  /**
+   * true: with the smallest clearance on each edge, and where that is: the width of the gap between
+   * two circles. Default: false.
+   */
+  clearance?: boolean | undefined;
+}
+
+/** `edges({ clearance: true })`; row k of each array belongs to edge k. */
+export interface EdgesWithClearance extends Edges {
+  /**
+   * The smallest distance of each edge to its two sites: half of the gap between the circles if the
+   * edge passes between them, else the clearance of an end.
+   */
+  clearance: Float64Array;
+  /** x, y of the place on each edge where that is. */
+  xy: Float64Array;
+}
+
+/** The vertices of the edges inside a window; row k of each array belongs to vertex k. */
+export interface VerticesInside extends Omit<Vertices, "sites"> {
+  /**
+   * Three sites of each vertex, counter-clockwise. Where the window or a distance cuts an edge, the
+   * two sites of that, and -1.
+   */
+  sites: Int32Array;
 }
 
 /**

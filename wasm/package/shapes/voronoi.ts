@@ -19,12 +19,13 @@ import {
 import { ofSite } from "../core/native/native_errors.js";
 import { withSite } from "../core/space.js";
 import { drawn, type DrawOptions, type PathContext, play } from "../core/path.js";
-import type { Bounds, Position } from "../core/types.js";
+import type { Bounds, Edges, Position } from "../core/types.js";
 import { ApolloniusError } from "../errors.js";
 import { cellPaths } from "./cell_paths.js";
 import { joined, measuresOf, partsOf, type Rings, ringOf } from "./cell_shapes.js";
 import { type Distances, distanceOf, reaches } from "./distances.js";
 import { drawBounds, drawInto, type NativeWindow, toleranceOf } from "./drawing.js";
+import { isWithClearance, narrowestOf } from "./edges.js";
 import { emptyCircles } from "./empty_circles.js";
 import { fitAreas, fitAreasAsync } from "./fit.js";
 import { type CellsCollection, collectionOf, type GeoJSONOptions } from "./geojson.js";
@@ -44,6 +45,8 @@ import type {
   CellPolygon,
   CellRing,
   EdgeCurves,
+  EdgeOptions,
+  EdgesWithClearance,
   EmptyCircle,
   EmptyCircleOptions,
   FitOptions,
@@ -56,6 +59,7 @@ import type {
   NumbersById,
   PolygonOptions,
   Projection,
+  VerticesInside,
   VoronoiOptions,
   VoronoiWindow,
 } from "./types.js";
@@ -285,6 +289,30 @@ export class Voronoi implements Disposable {
   }
 
   /**
+   * What `edgeCurves` has as a graph: row k is the edge of curve k, between rows of `vertices()`;
+   * no end is unbounded. With `clearance` also the narrowest place of each: of a road or a pore.
+   * O(n). Throws "bad-option".
+   */
+  edges(options: EdgeOptions & { clearance: true }): EdgesWithClearance;
+  edges(options?: EdgeOptions): Edges;
+  edges(options?: EdgeOptions): Edges {
+    const isClear = isWithClearance(options);
+    const { edges, narrowest } = Voronoi.#living(this).edgeGraph(...this.#window);
+    return isClear ? { ...edges, ...narrowestOf(narrowest) } : edges;
+  }
+
+  /**
+   * The ends of these edges: the Voronoi vertices inside, and a vertex wherever an edge is cut, by
+   * the border or at the view's distance. A vertex of more than three sites, which the diagram has
+   * several times, is one. O(n).
+   */
+  vertices(): VerticesInside {
+    const { vertices } = Voronoi.#living(this).edgeGraph(...this.#window);
+    const { xy, clearance, sites } = vertices;
+    return { xy, clearance, sites: new Int32Array(sites.buffer) };
+  }
+
+  /**
    * All cells as GeoJSON (RFC 7946), ascending by id: polygons with their holes, or multi-polygons
    * where a cell has several parts. Polygons are valid and tile the window: neighbours have the
    * points of their common boundary in common, whatever the tolerance. Coordinates are the
@@ -509,8 +537,8 @@ export class Voronoi implements Disposable {
 
   /**
    * Changes the weights of all sites so that the areas of their cells inside the window are in
-   * proportion to targets. Centres stay, and hidden sites get a cell, too. null if `onIteration`
-   * has stopped it.
+   * proportion to targets. Centres stay, and hidden sites get a cell, too. `onIteration` may throw
+   * to stop it.
    *
    * No two sites may share a centre, and with equal weights each must have a cell in the window, as
    * it does if its centre is inside. All or nothing: the diagram changes at the end, and only if
@@ -520,7 +548,7 @@ export class Voronoi implements Disposable {
    * (several times that, where targets differ by orders of magnitude) about that of building the
    * diagram and of `cellAreas`.
    */
-  fitAreas(targets: AreaTargets, options?: FitOptions): FittedAreas | null {
+  fitAreas(targets: AreaTargets, options?: FitOptions): FittedAreas {
     return fitAreas(Voronoi.#living(this, true), () => this.#window, targets, options);
   }
 
@@ -530,10 +558,7 @@ export class Voronoi implements Disposable {
    * as that throws; with the reason of `options.signal` once that aborts; with "busy" if the
    * diagram has changed meanwhile.
    */
-  async fitAreasAsync(
-    targets: AreaTargets,
-    options?: AsyncFitOptions,
-  ): Promise<FittedAreas | null> {
+  async fitAreasAsync(targets: AreaTargets, options?: AsyncFitOptions): Promise<FittedAreas> {
     // awaited here, so that this view, and so the diagram, is not collected meanwhile
     return await fitAreasAsync(Voronoi.#living(this, true), () => this.#window, targets, options);
   }

@@ -12,7 +12,8 @@ import { fillOrDispose } from "../core/native/lifetime.js";
 import { type NativeSphericalDiagram, runningModule } from "../core/native/module.js";
 import { atPoint, atSite, withSite } from "../core/space.js";
 import { SurfaceDiagram } from "../core/surface_diagram.js";
-import type { Position } from "../core/types.js";
+import { trianglesOf } from "../core/triangulation.js";
+import type { Edges, Position } from "../core/types.js";
 import {
   type CellsCollection,
   checkedProperties,
@@ -21,9 +22,11 @@ import {
   positionsOf,
 } from "../shapes/geojson.js";
 import { distanceOf, withDistances } from "../shapes/distances.js";
+import { isWithClearance } from "../shapes/edges.js";
 import type {
   CellPolygon,
   DistanceOptions,
+  EdgeOptions,
   InterpolationOptions,
   NaturalWeights,
   NumbersById,
@@ -41,12 +44,14 @@ import type {
   Spherical,
   SphericalBuildOptions,
   SphericalCollection,
+  SphericalEdgesWithClearance,
   SphericalEmptyCircle,
   SphericalGeoJSONOptions,
   SphericalOptions,
   SphericalPolygonOptions,
   SphericalSite,
   SphericalSites,
+  SphericalTriangulation,
   SphericalVertices,
 } from "./spherical_types.js";
 
@@ -272,11 +277,34 @@ export class SphericalDiagram extends SurfaceDiagram<Sphere> {
   // --- The graph ---------------------------------------------------------------------------------
 
   /**
+   * All Voronoi edges; with `clearance` also the smallest clearance on each, and where that is.
+   * O(n). Throws "bad-option".
+   */
+  override edges(options: EdgeOptions & { clearance: true }): SphericalEdgesWithClearance;
+  override edges(options?: EdgeOptions): Edges;
+  override edges(options?: EdgeOptions): Edges {
+    const isClear = isWithClearance(options);
+    const { native } = sphericalOf(this);
+    if (!isClear) return native.edges();
+    const { xy, clearance } = native.narrowest();
+    return Object.assign(native.edges(), { clearance, lonLat: xy });
+  }
+
+  /**
    * All Voronoi vertices: points that have the same distance to three sites and none less. O(n).
    */
   vertices(): SphericalVertices {
-    const { coordinates, clearance, sites } = sphericalOf(this).native.vertices();
-    return { lonLat: coordinates, clearance, sites };
+    const { xy, clearance, sites } = sphericalOf(this).native.vertices();
+    return { lonLat: xy, clearance, sites };
+  }
+
+  /**
+   * The Delaunay graph as it is now, in the arrays of the plane's (d3-delaunay's): a copy, to be
+   * asked once. It is closed, a triangulation of the sphere: n >= 3 visible sites have 2 n - 4
+   * triangles and 3 n - 6 edges; one or two have no triangle, though two have an edge. O(n).
+   */
+  triangulation(): SphericalTriangulation {
+    return { ...trianglesOf(sphericalOf(this).native), hull: new Uint32Array(0) };
   }
 
   // --- Empty circles -----------------------------------------------------------------------------
@@ -296,10 +324,10 @@ export class SphericalDiagram extends SurfaceDiagram<Sphere> {
    */
   emptyCircles(count: number): SphericalEmptyCircle[] {
     const { native } = sphericalOf(this);
-    const { coordinates, clearance, sites } = native.emptyCircles(checkedCount("count", count));
+    const { xy, clearance, sites } = native.emptyCircles(checkedCount("count", count));
     return Array.from(clearance, (r, k) => ({
-      lon: coordinates[2 * k]!,
-      lat: coordinates[2 * k + 1]!,
+      lon: xy[2 * k]!,
+      lat: xy[2 * k + 1]!,
       r,
       site: sites[k]!,
     }));

@@ -1,5 +1,5 @@
 // The types of apollonius-diagram/sphere that users see.
-import type { BuildOptions, RadiusOption } from "../core/types.js";
+import type { BuildOptions, Edges, RadiusOption } from "../core/types.js";
 import type { CellsCollection } from "../shapes/geojson.js";
 import type { DistanceOptions } from "../shapes/types.js";
 
@@ -42,6 +42,30 @@ export interface SphericalVertices {
   clearance: Float64Array;
   /** The three sites, counter-clockwise as seen from outside. */
   sites: Uint32Array;
+}
+
+/**
+ * The Delaunay graph of the sphere as it was when `diagram.triangulation()` was called. Triangle t
+ * has the half-edges 3 t, 3 t + 1 and 3 t + 2, and is row t of `diagram.vertices()`, as the diagram
+ * was then. Two sites can have several edges in common, so an edge is its half-edge.
+ */
+export interface SphericalTriangulation {
+  /** Longitude, latitude of each site by id, as given, hidden ones too; NaN for ids without one. */
+  readonly points: Float64Array;
+  /** The ids of each triangle's sites, counter-clockwise as seen from outside. */
+  readonly triangles: Uint32Array;
+  /** The twin of each half-edge, in the triangle on its other side; every one has a twin. */
+  readonly halfedges: Int32Array;
+  /** Empty: the graph has no border. */
+  readonly hull: Uint32Array;
+}
+
+/** `edges({ clearance: true })`; row k of each array belongs to edge k. */
+export interface SphericalEdgesWithClearance extends Edges {
+  /** The smallest distance of each edge to its two sites. */
+  clearance: Float64Array;
+  /** Longitude, latitude of the place on each edge where that is. */
+  lonLat: Float64Array;
 }
 
 /** A circle on the sphere that no site reaches into. */

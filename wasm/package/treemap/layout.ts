@@ -56,7 +56,7 @@ function layOutAtOnce(root: Input, settings: Settings, options: TreemapOptions |
     const { view, targets, options } = step.value;
     let answer: Parameters<typeof answered>[1];
     try {
-      answer = { found: view.fitAreas(targets, options)! };
+      answer = { found: view.fitAreas(targets, options) };
     } catch (failure) {
       answer = { failure };
     }
@@ -81,7 +81,7 @@ async function layOutInSlices(
       if (slices.isOver) await slices.next(done);
       let answer: Parameters<typeof answered>[1];
       try {
-        answer = { found: (await view.fitAreasAsync(targets, { ...options, signal }))! };
+        answer = { found: await view.fitAreasAsync(targets, { ...options, signal }) };
       } catch (failure) {
         slices.expectNoAbort();
         answer = { failure };

@@ -242,11 +242,11 @@ function drawVertices(
   box: Box,
 ) {
   if (sites.diagram.visibleSize > kMostVertices) return;
-  const { coordinates, clearance } = sites.diagram.vertices();
+  const { xy, clearance } = sites.diagram.vertices();
   const found: [x: number, y: number, r: number][] = [];
   clearance.forEach((distance, k) => {
-    const x = view.toScreenX(coordinates[2 * k]);
-    const y = view.toScreenY(coordinates[2 * k + 1]);
+    const x = view.toScreenX(xy[2 * k]);
+    const y = view.toScreenY(xy[2 * k + 1]);
     const r = distance * view.scale;
     const reach = Math.max(r, 3);
     if (x + reach < box.left || x - reach > box.right) return;
