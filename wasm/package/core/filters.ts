@@ -22,8 +22,8 @@ export function filterOf(options: FilterOptions | undefined): NearbyFilter | und
   return checkedFilter(options?.filter);
 }
 
-/** What `ask` says, which may call filters. */
-function filtering<Answer>(filters: Filters, ask: () => Answer): Answer {
+/** What `ask` says, which may call filters and other functions of the caller's. */
+export function filtering<Answer>(filters: Filters, ask: () => Answer): Answer {
   ++filters.running;
   try {
     return ask();

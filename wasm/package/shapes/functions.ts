@@ -4,9 +4,8 @@ import type { Diagram } from "../core/diagram.js";
 import { nativeOf } from "../core/inner.js";
 import { shapesOf } from "../core/native/module.js";
 import type { DrawOptions, PathContext } from "../core/path.js";
-import type { Bounds } from "../core/types.js";
 import { drawDual, drawWhole } from "./drawing.js";
-import type { Region } from "./region.js";
+import type { WindowShape } from "./region.js";
 import type { DualOptions, EnclosingCircle, VoronoiOptions } from "./types.js";
 import { Voronoi } from "./voronoi.js";
 
@@ -16,7 +15,7 @@ import { Voronoi } from "./voronoi.js";
  */
 export function voronoi(
   diagram: Diagram,
-  window: Bounds | Region = [0, 0, 960, 500],
+  window: WindowShape = [0, 0, 960, 500],
   options?: VoronoiOptions,
 ): Voronoi {
   return Voronoi.of(diagram, window, options);

@@ -2,7 +2,7 @@
 import { keep } from "../core/native/lifetime.js";
 import type { NativeReach, NativeRegion, NativeShapes } from "../core/native/module.js";
 import { ApolloniusError } from "../errors.js";
-import { type Distances, withDistances } from "./distances.js";
+import type { Limits } from "./limits.js";
 
 /** A region in the diagram's instance of the module, that lives as long as its owner. */
 export function createRegion(
@@ -25,16 +25,15 @@ export function createRegion(
   return native;
 }
 
-/** How far cells reach: one distance for all, or an array by id. Lives as long as its owner. */
+/** How far cells reach; null for everywhere. Lives as long as its owner. */
 export function createReach(
   owner: object,
   diagram: NativeShapes,
-  distance: Distances,
-): NativeReach {
-  const native = withDistances(
-    distance,
-    (distances, isById) => diagram.reach(distances, isById) as NativeReach,
-  );
+  limits: Limits,
+): NativeReach | null {
+  if (limits === Infinity) return null;
+  const list = typeof limits === "number" ? [limits] : limits;
+  const native = diagram.reach(list, []) as NativeReach;
   keep(owner, native);
   return native;
 }
