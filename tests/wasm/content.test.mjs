@@ -136,6 +136,7 @@ test("names are as documented, though the package is minified", () => {
 });
 
 test("a Voronoi is made by a diagram only", () => {
+  const Voronoi = new Diagram().voronoi().constructor;
   for (const diagram of [undefined, null, {}, 7])
     expectRefusal(
       () => new Voronoi(diagram, [0, 0, 1, 1]),

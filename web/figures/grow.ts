@@ -81,7 +81,7 @@ export default figure<State>({
       min: 0,
       max: kMost,
       step: 1,
-      get: ({ maxDistance: distance }) => Math.round(distance),
+      get: ({ distance }) => Math.round(distance),
       set: (state, value) => {
         state.distance = value;
         state.isGrowing = false;

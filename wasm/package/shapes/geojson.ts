@@ -73,7 +73,7 @@ export function checkedWinding(winding: unknown): Winding {
   return checkedChoice("options.winding", winding, ["counter-clockwise", "clockwise"]);
 }
 
-/** The k-th of several cells. */
+/** @internal The k-th of several cells. */
 export function geometryOf(
   { coordinates, starts, parts, cells }: CoverageArrays,
   k: number,
@@ -106,7 +106,7 @@ export function featuresOf<Properties>(
   return { type: "FeatureCollection", features };
 }
 
-/** What is a side of two cells, which have its points in common; a line for each edge. */
+/** @internal What is a side of two cells, which have its points in common; a line for each edge. */
 export function meshOf({ coordinates, starts, parts, cells }: CoverageArrays): CellMesh {
   const keyOf = (...ends: [from: number, to: number]) =>
     ends.map((k) => `${coordinates[2 * k]},${coordinates[2 * k + 1]}`).join();

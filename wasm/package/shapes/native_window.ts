@@ -2,7 +2,6 @@
 import { keep } from "../core/native/lifetime.js";
 import type { NativeReach, NativeRegion, NativeShapes } from "../core/native/module.js";
 import { ApolloniusError } from "../errors.js";
-import type { Limits } from "./limits.js";
 
 /** A region in the diagram's instance of the module, that lives as long as its owner. */
 export function createRegion(
@@ -25,15 +24,9 @@ export function createRegion(
   return native;
 }
 
-/** How far cells reach; null for everywhere. Lives as long as its owner. */
-export function createReach(
-  owner: object,
-  diagram: NativeShapes,
-  limits: Limits,
-): NativeReach | null {
-  if (limits === Infinity) return null;
-  const list = typeof limits === "number" ? [limits] : limits;
-  const native = diagram.reach(list, []) as NativeReach;
+/** How far all cells reach. Lives as long as its owner. */
+export function createReach(owner: object, diagram: NativeShapes, limit: number): NativeReach {
+  const native = diagram.reach([limit], []) as NativeReach;
   keep(owner, native);
   return native;
 }

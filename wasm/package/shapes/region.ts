@@ -27,7 +27,7 @@ export type GeoJSONRegion =
  * whatever their directions: holes and islands are rings like any other. Rings may cross and touch
  * themselves and each other, repeat points, and overlap, where they cancel.
  */
-export type Region = Ring | ArrayLike<Ring> | GeoJSONRegion;
+export type Region = Ring | ArrayLike<Ring> | ArrayLike<ArrayLike<Ring>> | GeoJSONRegion;
 
 /** A disc: its centre and its radius, > 0. */
 export interface Disc {

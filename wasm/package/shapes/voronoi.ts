@@ -151,7 +151,7 @@ export class Voronoi implements Disposable {
     } else {
       bounds = window;
     }
-    if (typeof this.#limit === "number")
+    if (typeof this.#limit === "number" && this.#limit !== Infinity)
       this.#reach = createReach(this, shapesOf(native), this.#limit);
     const [xmin, ymin, xmax, ymax] = bounds;
     this.diagram = diagram;

@@ -33,7 +33,6 @@ import type {
   ViewOptions,
 } from "../shapes/types.js";
 import { checkedTolerance, sphericalOf } from "./spherical_arguments.js";
-import type { SphericalDiagram } from "./spherical_diagram.js";
 import type {
   CutAtAntimeridian,
   SphericalCollection,
@@ -47,6 +46,8 @@ import type {
 } from "./spherical_types.js";
 
 type Native = NativeSphericalDiagram;
+/** The type alone, of the file that imports this one. */
+type SphericalDiagram = import("./spherical_diagram.js").SphericalDiagram;
 
 /**
  * The cells of a diagram of the sphere, as measures and polygons: `diagram.voronoi()`. A view always
