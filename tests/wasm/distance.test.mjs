@@ -1,5 +1,5 @@
-// Cells that end at a distance from their circles: `voronoi(window, { maxDistance })`, against sampled
-// points, and as other tools take them.
+// Cells that end at a distance from their circles, `voronoi(window, { maxDistance })`: against
+// sampled points, and as other tools take them.
 import GeoJSONReader from "jsts/org/locationtech/jts/io/GeoJSONReader.js";
 import IsValidOp from "jsts/org/locationtech/jts/operation/valid/IsValidOp.js";
 import { Diagram } from "../../build/packed/consumer.mjs";
@@ -172,7 +172,7 @@ test("distances by id are an array, a Map or an object, read when a call asks", 
   expect(view.cellArea(2)).toBeCloseTo(area(2, 1), 9);
 });
 
-test("a function is asked for one site by a call about one cell, and for all by others", async () => {
+test("a function is asked for one site by calls about one cell, for all by others", async () => {
   const diagram = new Diagram([20, 30, 4, 70, 40, 9, 50, 10, 1, 50, 10, 0.5]);
   const list = [6, 2, Infinity, 3];
   let asked = [];

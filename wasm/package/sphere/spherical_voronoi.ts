@@ -50,8 +50,8 @@ type Native = NativeSphericalDiagram;
 type SphericalDiagram = import("./spherical_diagram.js").SphericalDiagram;
 
 /**
- * The cells of a diagram of the sphere, as measures and polygons: `diagram.voronoi()`. A view always
- * shows the diagram as it is now. Its calls are those of the plane's `Voronoi`. There is no window,
+ * The cells of a diagram of the sphere, as measures and polygons: `diagram.voronoi()`. A view
+ * always shows the diagram as it is now. Its calls are those of the plane's `Voronoi`. There is no window,
  * so cells have one part, without holes, and none is outside; there are no drawings, as maps are
  * drawn from GeoJSON, and no curves, as bisectors of the sphere are none that files know.
  *
@@ -205,13 +205,13 @@ export class SphericalVoronoi {
     return Uint32Array.from(found);
   }
 
-  /** The Voronoi vertices of the diagram, `diagram.vertices()`. A maxDistance does not matter. O(n). */
+  /** The Voronoi vertices, `diagram.vertices()`, whatever the maxDistance. O(n). */
   vertices(): SphericalVertices {
     SphericalVoronoi.#inner(this);
     return this.diagram.vertices();
   }
 
-  /** The Voronoi edges of the diagram, `diagram.edges()`. A maxDistance does not matter. O(n). */
+  /** The Voronoi edges, `diagram.edges()`, whatever the maxDistance. O(n). */
   edges(): Edges {
     SphericalVoronoi.#inner(this);
     return this.diagram.edges();
