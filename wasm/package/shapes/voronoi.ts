@@ -252,8 +252,8 @@ export class Voronoi implements Disposable {
 
   /**
    * The parts of a cell, each a list of closed rings: the outer one, counter-clockwise, and those
-   * of its holes, clockwise. They are valid polygons, no two of whose segments cross. Errors and cost
-   * as `cellPolygon`. Cells asked one by one may differ from their neighbours by rounding;
+   * of its holes, clockwise. They are valid polygons, no two of whose segments cross. Errors and
+   * cost as `cellPolygon`. Cells asked one by one may differ from their neighbours by rounding;
    * `toGeoJSON` is proved to tile the window.
    */
   cellParts(id: number, options: FlatOptions): Float64Array[][] | null;
