@@ -127,7 +127,8 @@ const rules = [
     may: [
       /^\.\/\w+\.js$/,
       /^\.\.\/(core\/(native\/)?\w+|errors)\.js$/,
-      /^\.\.\/shapes\/(by_id|distances|edges|geojson|types)\.js$/,
+      /^\.\.\/shapes\/(by_id|edges|geojson|interpolation|limits|types)\.js$/,
+      /^\.\.\/\.\.\/\.\.\/build\/wasm\/apollonius\.mjs$/,
     ],
   },
   {

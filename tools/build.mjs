@@ -114,7 +114,7 @@ function wasmAsText(built, texts) {
   };
 }
 
-const classes = ["ApolloniusError", "Diagram", "SphericalDiagram", "Voronoi"];
+const classes = ["ApolloniusError", "Diagram", "SphericalDiagram", "SphericalVoronoi", "Voronoi"];
 const ownNames = new RegExp(`\\b_(${classes.join("|")})\\b`, "g");
 
 /**

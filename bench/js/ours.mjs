@@ -332,10 +332,10 @@ export const operations = {
     make: (lonLatR) => new SphericalDiagram(lonLatR),
     end: (diagram) => diagram.dispose(),
     find: (diagram, lon, lat) => diagram.find(lon, lat),
-    polygons: (diagram) => diagram.toGeoJSON({ winding: "clockwise" }),
+    polygons: (diagram) => diagram.voronoi().toGeoJSON({ winding: "clockwise" }),
     others: {
-      sphereAreas: (diagram) => diagram.cellAreas(),
-      sphereCut: (diagram) => diagram.toGeoJSON(),
+      sphereAreas: (diagram) => diagram.voronoi().cellAreas(),
+      sphereCut: (diagram) => diagram.voronoi().toGeoJSON(),
     },
   }),
 };

@@ -5,6 +5,7 @@
 
 #include "api/spherical_checks.h"
 #include "base/flat_array.h"
+#include "sphere/listing.h"
 #include "sphere/measures.h"
 #include "sphere/natural_neighbors.h"
 #include "sphere/nearby.h"
@@ -57,6 +58,13 @@ Error SphericalDiagram::distancesError(std::span<const double> distances) const 
 
 Error SphericalDiagram::cellError(SiteId id, double distance) const {
   return has(id) ? distancesError({&distance, 1}) : Error::kUnknownSite;
+}
+
+Error SphericalDiagram::cellNeighbors(SiteId id, std::vector<SiteId>& neighbors,
+                                      std::vector<double>& distances) const {
+  if (!has(id)) return Error::kUnknownSite;
+  return guarded(*core_,
+                 [&] { listNeighbors(core_->projected(), id, radius(), neighbors, distances); });
 }
 
 Error SphericalDiagram::contains(SiteId id, double lon, double lat, double distance,

@@ -28,6 +28,8 @@ SphericalDiagram& SphericalDiagram::operator=(SphericalDiagram&&) noexcept = def
 bool SphericalDiagram::isRadius(double radius) noexcept { return radius > 0 && isInRange(radius); }
 double SphericalDiagram::radius() const noexcept { return core_->sites().radius(); }
 
+std::uint64_t SphericalDiagram::revision() const noexcept { return core_->revision(); }
+
 // --- Sites
 
 Error SphericalDiagram::insert(double lon, double lat, double r, SiteId& id) {

@@ -11,8 +11,6 @@
 #include "api/checks.h"
 #include "api/region_state.h"
 #include "diagram/listing.h"
-#include "geometry/cell/reach_cell.h"
-#include "geometry/cell/rectangle_cell.h"
 #include "geometry/clipping/cell_drawing.h"
 #include "geometry/clipping/edge_graph.h"
 #include "geometry/clipping/reach_clipping.h"
@@ -154,9 +152,7 @@ Error Voronoi::windowError() const {
   if (!isGood) return Error::kBadBounds;
   if (reach_ == nullptr) return Error::kNone;
   if (reach_->hasNaN()) return Error::kNotFinite;
-  if (reach_->isOutOfRange()) return Error::kOutOfRange;
-  const bool hasAll = reach_->covers(diagram_.core_->ids().idLimit());
-  return hasAll ? Error::kNone : Error::kBadLength;
+  return reach_->isOutOfRange() ? Error::kOutOfRange : Error::kNone;
 }
 
 Error Voronoi::siteError(SiteId id) const {
@@ -287,34 +283,6 @@ Error Voronoi::cellMoments(SiteId id, CellMoments& moments) const {
 Error Voronoi::cellMeasures(SiteId id, CellMeasures& measures) const {
   return withCell(id, Error::kNone, [&](const Cell& cell, Point origin) {
     measures = measuresOf(cell.pieces, origin);
-  });
-}
-
-Error Voronoi::cellMeasuresWithin(SiteId id, double radius, CellMeasures& measures) const {
-  const bool isUnlimited = radius == std::numeric_limits<double>::infinity();
-  if (!diagram_.has(id)) return Error::kUnknownSite;
-  if (!std::isfinite(radius) && !isUnlimited) return Error::kNotFinite;
-  if (radius < 0 || (radius > kLargestMagnitude && !isUnlimited)) return Error::kOutOfRange;
-  return guarded(Error::kNone, [&] {
-    // In a window that holds the disc.
-    const DiagramCore& core = *diagram_.core_;
-    const Slot slot = slotOf(id);
-    const Point center = centerOf(core, slot);
-    const double limited = std::min(radius, kLargestMagnitude);
-    const double margin =
-        2 * limited + powerOfTwo(-30) * (absolute(center.x) + absolute(center.y) + limited);
-    const Rectangle box{center.x - margin, center.y - margin, center.x + margin, center.y + margin};
-    const Reach unlimited;
-    ReachCellClipper cells(core, unlimited,
-                           std::make_unique<RectangleCellClipper>(core, box, Parts::kWithArea));
-    const Cell& cell = cells.findWithin(slot, limited);
-    const auto isArc = [](const BoundaryPiece& piece) { return piece.neighbor == kNoSite; };
-    if (isUnlimited && std::any_of(cell.pieces.begin(), cell.pieces.end(), isArc)) {
-      measures = {};  // without a centroid
-      measures.area = measures.perimeter = radius;
-      return;
-    }
-    measures = measuresOf(cell.pieces, center);
   });
 }
 

@@ -2,6 +2,7 @@
 // or have come so far.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <span>
@@ -19,9 +20,14 @@ class Reach {
   Reach() = default;
   /// The same distance for all sites.
   explicit Reach(double distance) : all_(distance) { note(distance); }
-  /// A distance for each id. Throws std::bad_alloc.
-  explicit Reach(std::span<const double> byId) : byId_(byId.begin(), byId.end()), isById_(true) {
+  /// A distance for each id; ids beyond have none. Throws std::bad_alloc.
+  explicit Reach(std::span<const double> byId) : byId_(byId.begin(), byId.end()) {
     for (const double distance : byId) note(distance);
+  }
+  /// Of some ids, ascending, for calls about one cell; all others have none. Throws std::bad_alloc.
+  /// REQUIRES: as many distances, not none.
+  Reach(std::span<const SiteId> ids, std::span<const double> distances) : Reach(distances) {
+    ids_.assign(ids.begin(), ids.end());
   }
 
   /// Is there a NaN, or a distance out of range?
@@ -29,14 +35,18 @@ class Reach {
   [[nodiscard]] bool isOutOfRange() const { return isOutOfRange_; }
 
   [[nodiscard]] bool isUnlimited() const {
-    return !isById_ && all_ == std::numeric_limits<double>::infinity();
+    return byId_.empty() && all_ == std::numeric_limits<double>::infinity();
   }
-  /// Is there a distance for all ids below a limit?
-  [[nodiscard]] bool covers(std::size_t idLimit) const {
-    return !isById_ || idLimit <= byId_.size();
+  [[nodiscard]] double of(SiteId id) const {
+    if (byId_.empty()) return all_;
+    std::size_t row = id;
+    if (!ids_.empty()) {
+      const auto found = std::lower_bound(ids_.begin(), ids_.end(), id);
+      const bool isIn = found != ids_.end() && *found == id;
+      row = isIn ? static_cast<std::size_t>(found - ids_.begin()) : byId_.size();
+    }
+    return row < byId_.size() ? byId_[row] : all_;
   }
-  /// REQUIRES: there is one.
-  [[nodiscard]] double of(SiteId id) const { return isById_ ? byId_[id] : all_; }
 
  private:
   void note(double distance) {
@@ -48,7 +58,7 @@ class Reach {
 
   double all_ = std::numeric_limits<double>::infinity();
   std::vector<double> byId_;
-  bool isById_ = false;
+  std::vector<SiteId> ids_;  // whose rows of byId_ these are, unless each id has its own
   bool hasNaN_ = false, isOutOfRange_ = false;
 };
 

@@ -159,6 +159,11 @@ class APOLLONIUS_EXPORT SphericalDiagram {
   // used, or one for all cells, or none for kEverywhere. Errors: also kNotFinite, kOutOfRange;
   // kBadLength.
 
+  /// The sites on the other side of a cell's edges, counter-clockwise, one row an edge, and how
+  /// near the edge comes to the circles of both: cells that end at a larger distance share a part
+  /// of it. None for a hidden site. Replaces the contents. Cost: O(d)
+  [[nodiscard]] Error cellNeighbors(SiteId id, std::vector<SiteId>& neighbors,
+                                    std::vector<double>& distances) const;
   /// Is the point in the closed cell? False for a hidden site. Errors: also as find.
   [[nodiscard]] Error contains(SiteId id, double lon, double lat, double distance,
                                bool& inside) const;
@@ -213,6 +218,9 @@ class APOLLONIUS_EXPORT SphericalDiagram {
   /// Becomes the diagram that was saved, with its radius. Whoever made the bytes, the diagram is
   /// that of the sites in them. Errors: kCorruptSnapshot, kOutOfMemory. Cost: that of building.
   [[nodiscard]] Error fromBytes(std::span<const std::uint8_t> bytes);
+
+  /// Another number after each change, as long as the diagram lives.
+  [[nodiscard]] std::uint64_t revision() const noexcept;
 
   /// Checks every invariant and tells the first broken one. Errors: kOutOfMemory. Cost: O(n), slow:
   /// for tests.

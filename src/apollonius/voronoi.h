@@ -150,11 +150,6 @@ class APOLLONIUS_EXPORT Voronoi {
   /// Area and centroid; cellMeasures() takes several times as long, for the perimeter.
   [[nodiscard]] Error cellMoments(SiteId id, CellMoments& moments) const;
   [[nodiscard]] Error cellMeasures(SiteId id, CellMeasures& measures) const;
-  /// Area, centroid and perimeter of the part of the (unclipped) cell within `radius` of the site's
-  /// centre; bounds do not matter. The outline is good to about 2^-48 of the largest number of the
-  /// site and its neighbors: a radius as small as that means little. Infinity: all of it; the area
-  /// and the perimeter of an unbounded cell are infinite, and it has no centroid (isEmpty).
-  [[nodiscard]] Error cellMeasuresWithin(SiteId id, double radius, CellMeasures& measures) const;
   /// The area of every cell, by id; 0 for ids without one. They add up to the window's, to
   /// rounding: of the coordinates, too, where the window is only a few doubles wide. Cost: O(h)
   [[nodiscard]] Error cellAreas(std::vector<double>& areas) const;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "base/flat_array.h"
 #include "diagram/listing.h"
@@ -22,6 +23,49 @@ void listNeighbors(const ProjectedDiagram& diagram, SiteId id, std::vector<SiteI
   } else if (diagram.visibleCount() == 2) {
     neighbors.push_back(node == kInfinity ? diagram.siteOf(diagram.plane().delaunay().anyVisible())
                                           : diagram.pole());
+  }
+}
+
+namespace {
+
+/// The least angle from the site to a part of one of its bisectors.
+double leastAngle(const Sector& sector) {
+  // The curve is the nearer, the less its bearing differs from that of the other site.
+  const SphericalBisector& bisector = sector.bisector;
+  constexpr double kTurn = 2 * std::numbers::pi;
+  const double ahead = std::remainder(bisector.middle() - sector.from, kTurn);
+  if ((ahead < 0 ? ahead + kTurn : ahead) <= sector.width)
+    return bisector.at(bisector.middle()).rho();
+  return std::min(bisector.at(sector.from).rho(), bisector.at(sector.from + sector.width).rho());
+}
+
+}  // namespace
+
+void listNeighbors(const ProjectedDiagram& diagram, SiteId id, double radius,
+                   std::vector<SiteId>& neighbors, std::vector<double>& distances) {
+  neighbors.clear();
+  distances.clear();
+  if (diagram.isHidden(id)) return;
+  const Graph& graph = diagram.graph();
+  SphericalVertices vertices(diagram, SphericalVertices::Of::kSome);
+  const auto add = [&](SiteId neighbor, VertexId from, const Sector& sector) {
+    neighbors.push_back(neighbor);
+    distances.push_back((leastAngle(sector) - diagram.cap(from).weight) * radius);
+  };
+  const VertexId node = diagram.nodeOf(id);
+  if (!graph.isEmpty()) {
+    for (const HalfedgeId h : graph.star(node)) {
+      const SiteId neighbor = diagram.siteOf(graph.target(h));
+      // Always seen from the same one of the two.
+      const HalfedgeId seen = id < neighbor ? h : graph.twin(h);
+      add(neighbor, graph.origin(seen), sectorOf(diagram, seen, vertices));
+    }
+  } else if (diagram.visibleCount() == 2) {
+    const VertexId other = otherOfTwo(diagram, node);
+    const VertexId from = id < diagram.siteOf(other) ? node : other;
+    FlatArray<Sector> sectors;
+    listSectors(diagram, from, vertices, sectors);
+    add(diagram.siteOf(other), from, sectors[0]);
   }
 }
 

@@ -12,6 +12,10 @@ namespace apollonius::internal::sphere {
 /// All replace the contents and throw std::bad_alloc.
 
 void listNeighbors(const ProjectedDiagram& diagram, SiteId id, std::vector<SiteId>& neighbors);
+/// The same with a row for each edge, and how near the edge comes to the circles of its two sites,
+/// in the unit of the sphere's radius: the same number for both.
+void listNeighbors(const ProjectedDiagram& diagram, SiteId id, double radius,
+                   std::vector<SiteId>& neighbors, std::vector<double>& distances);
 /// Clearances in the unit of the sphere's radius.
 void listVertices(const ProjectedDiagram& diagram, double radius, VertexArrays& vertices);
 void listEdges(const ProjectedDiagram& diagram, EdgeArrays& edges);

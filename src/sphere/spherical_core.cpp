@@ -52,6 +52,7 @@ SiteId SphericalCore::insert(const SphericalSite& site) {
 }
 
 void SphericalCore::insertMany(std::span<const double> sites, std::span<SiteId> ids) {
+  ++revision_;
   if (ids.empty()) return;
   sites_.reserve(ids.size());
   const SiteId limit = sites_.idLimit();
@@ -65,6 +66,7 @@ void SphericalCore::insertMany(std::span<const double> sites, std::span<SiteId> 
 }
 
 std::size_t SphericalCore::removeMany(std::span<const SiteId> ids) {
+  ++revision_;
   removed_.clear();
   removed_.reserve(ids.size());
   // Released first, so that ids that are repeated are seen to be free.
@@ -89,6 +91,7 @@ void SphericalCore::update(SiteId id, const SphericalSite& site) {
 }
 
 void SphericalCore::updateMany(std::span<const SiteId> ids, std::span<const double> sites) {
+  ++revision_;
   if (ids.empty()) return;
   before_.clear();
   before_.reserve(ids.size());
@@ -105,12 +108,14 @@ void SphericalCore::updateMany(std::span<const SiteId> ids, std::span<const doub
 }
 
 void SphericalCore::clear() noexcept {
+  ++revision_;
   sites_.clear();
   projected_ = ProjectedDiagram();
   sizeAtChoice_ = 0;
 }
 
 void SphericalCore::become(SiteTable&& sites, Projecting& finished) noexcept {
+  ++revision_;
   sites_ = std::move(sites);
   take(finished);
 }

@@ -33,6 +33,8 @@ class SphericalCore {
 
   [[nodiscard]] const SiteTable& sites() const { return sites_; }
   [[nodiscard]] const ProjectedDiagram& projected() const { return projected_; }
+  /// Another number after each change.
+  [[nodiscard]] std::uint64_t revision() const { return revision_; }
   /// For drawing the next pole.
   [[nodiscard]] std::uint64_t seed() const { return seed_; }
 
@@ -57,6 +59,7 @@ class SphericalCore {
   ProjectedDiagram projected_;
   std::size_t sizeAtChoice_ = 0;  // of the table, when the pole was chosen
   std::uint64_t seed_ = 1;
+  std::uint64_t revision_ = 0;
   FlatArray<SiteId> removed_;        // scratch
   FlatArray<SphericalSite> before_;  // scratch
 };

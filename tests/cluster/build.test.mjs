@@ -183,7 +183,7 @@ async function polygonsOfTiles(home, tolerance) {
     for (const [k, area] of voronoi.cellAreas().entries()) {
       if (area === 0) continue;
       const parts = voronoi.cellParts(k, { tolerance, flat: true }) ?? [];
-      const rings = parts.flatMap((part) => [part, ...part.holes]);
+      const rings = parts.flat();
       found.push(`${ids[k]}: ${rings.map((ring) => ring.join()).join(";")}`);
     }
     diagram.dispose();

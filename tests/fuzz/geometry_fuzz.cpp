@@ -147,10 +147,15 @@ class Checker {
           expect(c[5] == following[0] && c[6] == following[1], "a gap in a boundary", id);
         }
       }
+      Circle circle;
+      take(diagram_.site(id, circle));
       CellMeasures within;
       const double radius = std::clamp(tolerance_ * std::ldexp(1.0, random_.below(30)),
                                        kSmallestMagnitude, kLargestMagnitude);
-      take(voronoi_.cellMeasuresWithin(id, radius, within));
+      const double distances[] = {radius - circle.r};
+      const Reach reach(std::span(&id, 1), distances);
+      if (reach.isOutOfRange()) continue;
+      take(Voronoi(diagram_, bounds_, &reach).cellMeasures(id, within));
       // The polygon is good to about 2^-48 of the largest number.
       const double seen = radius + 0x1p-45 * most_;
       expect(std::abs(within.area) <= 3.1415926536 * seen * seen * (1 + 1e-9), "more than a disk",

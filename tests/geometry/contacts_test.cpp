@@ -164,8 +164,7 @@ void checkDisk(const Circles& circles, SiteId site, double radius) {
   insertInto(diagram, circles);
   bool hidden = false;
   ASSERT_EQ(diagram.isHidden(site, hidden), Error::kNone);
-  CellMeasures measures;
-  ASSERT_EQ(Voronoi(diagram).cellMeasuresWithin(site, radius, measures), Error::kNone);
+  const CellMeasures measures = measuresWithin(diagram, site, radius);
   const double share = hidden ? 0 : sampledShare(circles, site, radius);
   EXPECT_NEAR(measures.area / (kPi * radius * radius), share, 0.03)
       << "site " << site << " radius " << radius << "\n"
@@ -197,8 +196,7 @@ TEST(Contacts, HalfADiskOfAnyRadius) {
     const double radius = std::ldexp(1.0, exponent), small = 0x1p-280;
     Diagram diagram;
     insertInto(diagram, {{small, 0, small / 4}, {-small, 0, small / 4}, {0, 0.75 * small, 0}});
-    CellMeasures measures;
-    ASSERT_EQ(Voronoi(diagram).cellMeasuresWithin(0, radius, measures), Error::kNone);
+    const CellMeasures measures = measuresWithin(diagram, 0, radius);
     // The third site takes less than a quarter.
     EXPECT_GT(measures.area / radius / radius, kPi / 4) << exponent;
     EXPECT_LT(measures.area / radius / radius, kPi / 2 * (1 + 1e-9)) << exponent;
@@ -216,8 +214,7 @@ TEST(Contacts, ADiskSmallerThanTheDistanceOfDoublesIsFinite) {
         diagram,
         {{1e-79, 1e36, 0}, {1.0000000000000001e-79, 1e36, 0}, {2e-79, 1e36, 0}, {1e-79, 3e36, 0}});
     for (SiteId site = 0; site < 4; ++site) {
-      CellMeasures measures;
-      ASSERT_EQ(Voronoi(diagram).cellMeasuresWithin(site, radius, measures), Error::kNone);
+      const CellMeasures measures = measuresWithin(diagram, site, radius);
       EXPECT_GE(measures.perimeter, 0) << radius;
       EXPECT_LE(measures.perimeter, 10 * (radius + 1e21)) << radius;
       EXPECT_LE(measures.area, 10 * (radius + 1e21) * (radius + 1e21)) << radius;

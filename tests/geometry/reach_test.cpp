@@ -2,6 +2,7 @@
 // forms, and as polygons.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -423,13 +424,52 @@ TEST(Reach, BoundariesHaveNoPiecesWithoutLength) {
   }
 }
 
-TEST(Reach, ADistanceIsMissingForASite) {
+TEST(Reach, WithoutADistanceACellIsNotLimited) {
   Diagram diagram;
-  insertInto(diagram, {{-3, 0, 0}, {3, 0, 0}});
-  const std::vector<double> distances{5};
-  const Reach reach{std::span<const double>(distances)};
+  insertInto(diagram, {{-3, 0, 0}, {3, 0, 0}, {100, 0, 0}});
+  const double distance[] = {2};
+  const SiteId id[] = {1};
   std::vector<double> areas;
-  EXPECT_EQ(Voronoi(diagram, {-9, -9, 9, 9}, &reach).cellAreas(areas), Error::kBadLength);
+  const double disc = 4 * std::acos(-1.0);
+  const Reach first{std::span<const double>(distance)}, second(id, distance);
+  ASSERT_EQ(Voronoi(diagram, {-9, -9, 9, 9}, &first).cellAreas(areas), Error::kNone);
+  EXPECT_NEAR(areas[0], disc, 1e-12);
+  EXPECT_NEAR(areas[1], 162, 1e-12);
+  ASSERT_EQ(Voronoi(diagram, {-9, -9, 9, 9}, &second).cellAreas(areas), Error::kNone);
+  EXPECT_NEAR(areas[0], 162, 1e-12);
+  EXPECT_NEAR(areas[1], disc, 1e-12);
+  EXPECT_FALSE(second.isUnlimited());
+  EXPECT_EQ(second.of(2), kInfinity);
+}
+
+TEST(Reach, DistancesOfSomeSitesAreThoseOfAllForTheirCells) {
+  Random random(907);
+  const Circles circles = randomCircles(random, 40, Hidden::kNone);
+  Diagram diagram;
+  insertInto(diagram, circles);
+  Bounds bounds;
+  ASSERT_TRUE(windowAround(circles, 0.2, bounds));
+  const std::vector<double> distances =
+      someReach(random, circles.size(), (bounds.xmax - bounds.xmin) / 8, false);
+  const Reach all{std::span<const double>(distances)};
+  for (SiteId id = 0; id < circles.size(); ++id) {
+    std::vector<SiteId> ids, near;
+    ASSERT_EQ(diagram.neighbors(id, ids), Error::kNone);
+    ids.push_back(id);
+    std::sort(ids.begin(), ids.end());
+    std::vector<double> some;
+    for (const SiteId one : ids) some.push_back(distances[one]);
+    const Reach about(ids, some);
+    CurveArrays expected, curves;
+    ASSERT_EQ(Voronoi(diagram, bounds, &all).cellCurves(id, expected), Error::kNone);
+    ASSERT_EQ(Voronoi(diagram, bounds, &about).cellCurves(id, curves), Error::kNone);
+    EXPECT_EQ(curves.curves, expected.curves);
+    EXPECT_EQ(curves.sites, expected.sites);
+    std::vector<SiteId> expectedNear;
+    ASSERT_EQ(Voronoi(diagram, bounds, &all).neighbors(id, expectedNear), Error::kNone);
+    ASSERT_EQ(Voronoi(diagram, bounds, &about).neighbors(id, near), Error::kNone);
+    EXPECT_EQ(near, expectedNear);
+  }
 }
 
 TEST(Reach, BadDistancesAreRefused) {

@@ -51,6 +51,21 @@ inline std::vector<Point> chordsOf(const Conic& conic, double tolerance) {
   return {points.begin(), points.end()};
 }
 
+/// Measures of what of a cell is within a radius of its site's centre: of a reach, in a window that
+/// holds the disc.
+inline CellMeasures measuresWithin(const Diagram& diagram, SiteId id, double radius) {
+  Circle c;
+  CellMeasures measures;
+  EXPECT_EQ(diagram.site(id, c), Error::kNone);
+  const SiteId ids[] = {id};
+  const double distances[] = {radius - c.r};
+  const Reach reach(ids, distances);
+  const double margin = 2 * radius + 0x1p-30 * (std::abs(c.x) + std::abs(c.y) + radius);
+  const Bounds box{c.x - margin, c.y - margin, c.x + margin, c.y + margin};
+  EXPECT_EQ(Voronoi(diagram, box, &reach).cellMeasures(id, measures), Error::kNone);
+  return measures;
+}
+
 /// The sum of the lengths of curves.
 inline double lengthOfCurves(const CurveArrays& arrays) {
   double sum = 0;

@@ -82,8 +82,6 @@ TEST(VoronoiErrors, HiddenSitesHaveNothing) {
   EXPECT_TRUE(rings.coordinates.empty());
   ASSERT_EQ(voronoi.cellMeasures(1, measures), Error::kNone);
   EXPECT_TRUE(measures.isEmpty);
-  ASSERT_EQ(voronoi.cellMeasuresWithin(1, 10, measures), Error::kNone);
-  EXPECT_TRUE(measures.isEmpty);
   ASSERT_EQ(voronoi.drawCell(1, 1, path), Error::kNone);
   EXPECT_TRUE(path.commands.empty());
 }
@@ -317,21 +315,6 @@ TEST(VoronoiDeterminism, RestoredDiagramsHaveTheSameShapes) {
       EXPECT_EQ(path.commands, same.commands);
     });
   }
-}
-
-TEST(VoronoiErrors, BadRadii) {
-  Diagram diagram;
-  insertInto(diagram, {{1, 2, 1}});
-  const Voronoi voronoi(diagram);
-  CellMeasures measures;
-  EXPECT_EQ(voronoi.cellMeasuresWithin(1, 1, measures), Error::kUnknownSite);
-  EXPECT_EQ(voronoi.cellMeasuresWithin(0, std::numeric_limits<double>::quiet_NaN(), measures),
-            Error::kNotFinite);
-  EXPECT_EQ(voronoi.cellMeasuresWithin(0, -std::numeric_limits<double>::infinity(), measures),
-            Error::kNotFinite);
-  EXPECT_EQ(voronoi.cellMeasuresWithin(0, -1, measures), Error::kOutOfRange);
-  EXPECT_EQ(voronoi.cellMeasuresWithin(0, 1e101, measures), Error::kOutOfRange);
-  EXPECT_EQ(voronoi.cellMeasuresWithin(0, 1e100, measures), Error::kNone);
 }
 
 TEST(VoronoiSites, AllCirclesAreDrawnHiddenOnesTooAndPointsAreNot) {

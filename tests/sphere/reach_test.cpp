@@ -142,6 +142,38 @@ TEST(SphericalReach, AreasAreThoseOfSampledCells) {
   }
 }
 
+TEST(SphericalReach, NeighboursAreAsNearAsTheirEdges) {
+  Random random(23);
+  for (const NamedSites& set : namedSets(random, 12)) {
+    SCOPED_TRACE(set.name);
+    const SphericalDiagram diagram = diagramOf(set.sites);
+    for (SiteId id = 0; id < set.sites.size(); ++id) {
+      std::vector<SiteId> all, neighbors, others;
+      std::vector<double> distances, theirs;
+      ASSERT_EQ(diagram.neighbors(id, all), Error::kNone);
+      ASSERT_EQ(diagram.cellNeighbors(id, neighbors, distances), Error::kNone);
+      ASSERT_EQ(neighbors.size(), distances.size());
+      EXPECT_EQ(std::set<SiteId>(neighbors.begin(), neighbors.end()),
+                std::set<SiteId>(all.begin(), all.end()));
+      for (std::size_t k = 0; k < neighbors.size(); ++k) {
+        // Both sites say the same of their edge, and no edge is nearer than halfway.
+        ASSERT_EQ(diagram.cellNeighbors(neighbors[k], others, theirs), Error::kNone);
+        bool isFound = false;
+        for (std::size_t m = 0; m < others.size(); ++m)
+          isFound = isFound || (others[m] == id && theirs[m] == distances[k]);
+        EXPECT_TRUE(isFound) << id << " " << neighbors[k];
+        double centre = 0;
+        SiteId nearest = kNoSite;
+        const SphericalCircle& site = set.sites[neighbors[k]];
+        const SphericalDiagram one = diagramOf({set.sites[id]});
+        ASSERT_EQ(one.find(site.lon, site.lat, nearest, centre), Error::kNone);
+        EXPECT_GE(distances[k], (centre - site.r) / 2 - 1e-12);
+        EXPECT_GE(distances[k], -std::min(site.r, set.sites[id].r) - 1e-12);
+      }
+    }
+  }
+}
+
 TEST(SphericalReach, PolygonsHaveTheAreaAndTheLengthOfTheirCells) {
   Random random(22);
   for (const NamedSites& set : setsOf(random, static_cast<std::size_t>(sized(20, 200)))) {

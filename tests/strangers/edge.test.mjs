@@ -111,7 +111,7 @@ test("workerd: core alone, and treemaps, each with the parts that it needs", asy
 const importSphere = 'import { SphericalDiagram } from "apollonius-diagram/sphere";';
 const useSphere =
   "const s = new SphericalDiagram([0, 0, 0.1, 180, 0, 0.2, 10, 80, 0]);" +
-  "const area = s.cellAreas().reduce((a, b) => a + b);" +
+  "const area = s.voronoi().cellAreas().reduce((a, b) => a + b);" +
   "const text = `${s.find(170, 5)} ${s.size} ${(area / Math.PI).toFixed(9)}`;";
 const answerOfSphere = "1 3 4.000000000";
 

@@ -348,7 +348,7 @@ bool callEverything(Diagram& diagram, std::uint64_t seed) {
         take(voronoi.cellMeasures(anyId(), measures));
         break;
       case 16:
-        take(voronoi.cellMeasuresWithin(anyId(), 1 + (r < 0 ? -r : r), measures));
+        take(voronoi.cellMoments(anyId(), measures));
         break;
       case 17:
         take(voronoi.cellAreas(areas));

@@ -1,5 +1,5 @@
-// Cells that end at a distance from their circles: `voronoi(window, { distance })`, against sampled
-// points, and as other tools take them.
+// Cells that end at a distance from their circles, `voronoi(window, { maxDistance })`: against
+// sampled points, and as other tools take them.
 import GeoJSONReader from "jsts/org/locationtech/jts/io/GeoJSONReader.js";
 import IsValidOp from "jsts/org/locationtech/jts/operation/valid/IsValidOp.js";
 import { Diagram } from "../../build/packed/consumer.mjs";
@@ -29,7 +29,7 @@ test.each(windows)("measures in %s are those of sampled points", (_name, window,
     const circles = someCircles(random, 12);
     const diagram = Diagram.from(circles);
     const distances = circles.map(() => (run % 2 === 0 ? 7 : 15 * random()));
-    const view = diagram.voronoi(window, { distance: run % 2 === 0 ? 7 : distances });
+    const view = diagram.voronoi(window, { maxDistance: run % 2 === 0 ? 7 : distances });
     const expected = sampled(diagram, distances, holds, 0.25);
     const areas = view.cellAreas();
     const centroids = view.cellCentroids();
@@ -37,7 +37,6 @@ test.each(windows)("measures in %s are those of sampled points", (_name, window,
     for (const id of diagram.ids()) {
       expect(Math.abs(areas[id] - expected[id])).toBeLessThan(12);
       const measures = view.cellMeasures(id);
-      if (measures === null) continue;
       expect(measures.area).toBeCloseTo(areas[id], 8);
       expect(measures.perimeter).toBeCloseTo(perimeters[id], 8);
       if (measures.centroid === null) continue;
@@ -54,7 +53,9 @@ const areaOf = (ring) =>
 test.each([
   0.01, 0.1, 1, 5, 20, 80,
 ])("at distance %p, polygons have their cells' areas by default", (distance) => {
-  const view = new Diagram([500, 300, 0, 520, 300, 0]).voronoi([0, 0, 1000, 600], { distance });
+  const view = new Diagram([500, 300, 0, 520, 300, 0]).voronoi([0, 0, 1000, 600], {
+    maxDistance: distance,
+  });
   const isNear = (area, id) => expect(Math.abs(area / view.cellArea(id) - 1)).toBeLessThan(0.005);
   for (const { id, geometry } of view.toGeoJSON().features)
     isNear(areaOf(geometry.coordinates[0]), id);
@@ -74,7 +75,7 @@ test("polygons are valid, share their points, and have the areas of the cells", 
     const circles = someCircles(random, 20);
     const distance = run % 2 === 0 ? 5 : circles.map(() => 12 * random());
     for (const window of [box, withHole]) {
-      const view = Diagram.from(circles).voronoi(window, { distance });
+      const view = Diagram.from(circles).voronoi(window, { maxDistance: distance });
       for (const tolerance of [1e-4, 1, 50]) {
         const segments = new Map();
         const twice = [];
@@ -106,7 +107,7 @@ test("polygons are valid, share their points, and have the areas of the cells", 
 });
 
 test("one circle alone becomes a larger circle, drawn as such", () => {
-  const view = new Diagram([50, 30, 4]).voronoi(box, { distance: 6 });
+  const view = new Diagram([50, 30, 4]).voronoi(box, { maxDistance: 6 });
   expect(view.cellArea(0)).toBeCloseTo(100 * Math.PI, 9);
   expect(view.cellPerimeter(0)).toBeCloseTo(20 * Math.PI, 9);
   expect([...view.cellCurves(0).neighbors]).toEqual([-1, -1, -1, -1]);
@@ -115,15 +116,15 @@ test("one circle alone becomes a larger circle, drawn as such", () => {
   expect(view.edgeCurves().sites).toHaveLength(0);
   expect(view.contains(0, 59.9, 30)).toBe(true);
   expect(view.contains(0, 60.1, 30)).toBe(false);
-  expect(new Diagram([50, 30, 4]).voronoi(box, { distance: -4 }).cellArea(0)).toBe(0);
-  expect(new Diagram([50, 30, 4]).voronoi(box, { distance: -4 }).cellPolygon(0)).toBe(null);
+  expect(new Diagram([50, 30, 4]).voronoi(box, { maxDistance: -4 }).cellArea(0)).toBe(0);
+  expect(new Diagram([50, 30, 4]).voronoi(box, { maxDistance: -4 }).cellPolygon(0)).toBe(null);
 });
 
 test("a distance of Infinity is none", () => {
   const diagram = new Diagram([20, 30, 4, 70, 40, 9, 50, 10, 1]);
   const plain = diagram.voronoi(box);
   for (const distance of [Infinity, undefined, [Infinity, Infinity, Infinity]]) {
-    const view = diagram.voronoi(box, { distance });
+    const view = diagram.voronoi(box, { maxDistance: distance });
     expect([...view.cellAreas()].map((area) => area.toFixed(9))).toEqual(
       [...plain.cellAreas()].map((area) => area.toFixed(9)),
     );
@@ -131,47 +132,224 @@ test("a distance of Infinity is none", () => {
   }
 });
 
-test("distances by id are an array, a Map or an object, and belong to the ids of that time", () => {
+test("distances by id are an array, a Map or an object, read when a call asks", () => {
   const diagram = new Diagram([20, 30, 4, 70, 40, 9]);
-  const areas = [1, 2].map((r, k) => Math.PI * ([4, 9][k] + r) ** 2);
-  for (const distance of [
+  const area = (id, by) => Math.PI * ([4, 9, 1][id] + by) ** 2;
+  const typed = new Float32Array([1, 2]);
+  const map = new Map([
+    [0, 1],
     [1, 2],
-    new Float32Array([1, 2]),
-    new Map([
-      [0, 1],
-      [1, 2],
-    ]),
-    { 0: 1, 1: 2 },
-  ]) {
-    const view = diagram.voronoi(box, { distance });
-    expect(view.cellArea(0)).toBeCloseTo(areas[0], 9);
-    expect(view.cellArea(1)).toBeCloseTo(areas[1], 9);
+    [77, 5], // nobody asks for it
+  ]);
+  for (const maxDistance of [[1, 2], typed, map, { 0: 1, 1: 2 }]) {
+    const view = diagram.voronoi(box, { maxDistance });
+    expect(view.cellArea(0)).toBeCloseTo(area(0, 1), 9);
+    expect([...view.cellAreas()]).toEqual([0, 1].map((id) => expect.closeTo(area(id, 1 + id), 9)));
+    if (maxDistance === map) map.set(0, 3);
+    else maxDistance[0] = 3;
+    expect(view.cellArea(0)).toBeCloseTo(area(0, 3), 9);
+    expect(view.cellAreas()[0]).toBeCloseTo(area(0, 3), 9);
   }
-  const view = diagram.voronoi(box, { distance: [1, 2] });
-  diagram.insert(1, 1, 1);
-  expect(() => view.cellAreas()).toThrow(expect.objectContaining({ code: "bad-length" }));
-  expect(() => view.contains(2, 1, 1)).toThrow(expect.objectContaining({ code: "bad-length" }));
+  // A site that came later needs one, of calls that ask for it.
+  const list = [1, 2];
+  const view = diagram.voronoi(box, { maxDistance: list });
+  expect(diagram.insert(5, 5, 1)).toBe(2);
+  expect(view.cellArea(0)).toBeCloseTo(area(0, 1), 9);
+  const message = expect.stringMatching(
+    /options\.maxDistance is an array of 2 that has none for site 2: add/,
+  );
+  for (const ask of [
+    () => view.cellAreas(),
+    () => view.cellArea(2),
+    () => view.contains(2, 5, 5),
+    () => view.render(),
+    () => [...view.cellPolygons()],
+    () => view.interpolate([1, 2, 3], [5, 5]),
+  ])
+    expect(ask).toThrow(expect.objectContaining({ code: "bad-option", message }));
+  expect(view.contains(0, 5, 5)).toBe(false);
+  list.push(1);
+  expect(view.cellArea(2)).toBeCloseTo(area(2, 1), 9);
+});
+
+test("a function is asked for one site by calls about one cell, for all by others", async () => {
+  const diagram = new Diagram([20, 30, 4, 70, 40, 9, 50, 10, 1, 50, 10, 0.5]);
+  const list = [6, 2, Infinity, 3];
+  let asked = [];
+  const maxDistance = (id) => {
+    asked.push(id);
+    return list[id];
+  };
+  const view = diagram.voronoi(box, { maxDistance });
+  expect(asked).toEqual([]);
+  const same = diagram.voronoi(box, { maxDistance: list });
+  const values = [1, 2, 3, 4];
+  const points = [22, 30, 0, 59, 70, 40];
+  const all = [0, 1, 2, 3];
+  const calls = [
+    [(v) => v.cellArea(1), [1]],
+    [(v) => v.cellArea(3), [3]],
+    [(v) => v.cellCentroid(0), [0]],
+    [(v) => v.cellPerimeter(0), [0]],
+    [(v) => v.cellMeasures(0), [0]],
+    [(v) => v.renderCell(0), [0]],
+    [(v) => v.cellPolygon(0), [0]],
+    [(v) => v.cellParts(0), [0]],
+    [(v) => v.cellGeometry(0), [0]],
+    [(v) => v.cellCircle(0), [0]],
+    [(v) => v.contains(0, 22, 30), [0]],
+    [(v) => v.contains(0, 70, 40), []], // not the nearest
+    [(v) => v.contains(1, 70, 40), [1]],
+    [(v) => v.naturalWeights(70, 40), [1]],
+    [(v) => v.neighbors(0), [0, 1, 2]],
+    [(v) => v.cellCurves(0), [0, 1, 2]],
+    [(v) => v.edgeCurves(), all],
+    [(v) => v.cellAreas(), all],
+    [(v) => v.cellCentroids(), all],
+    [(v) => v.cellPerimeters(), all],
+    [(v) => v.cellCircles(), all],
+    [(v) => v.render(), all],
+    [(v) => v.renderCells(), all],
+    [(v) => v.cellMesh(), all],
+    [(v) => v.toGeoJSON(), all],
+    [(v) => [...v.cellPolygons()], all],
+    [(v) => v.interpolate(values, points), all],
+    [(v) => v.renderBounds(), []],
+    [(v) => v.largestEmptyCircle(), []],
+  ];
+  for (const [call, expected] of calls) {
+    asked = [];
+    const answer = call(view);
+    expect(asked).toEqual(expected);
+    expect(answer).toEqual(call(same));
+    expect(call(same)).toEqual(
+      call(diagram.voronoi(box, { maxDistance: new Map(list.entries()) })),
+    );
+  }
+  asked = [];
+  expect(await view.interpolateAsync(values, points)).toEqual(view.interpolate(values, points));
+  expect(asked).toEqual([...all, ...all]);
+  // Loops keep what they were told at the start.
+  asked = [];
+  const rings = view.cellPolygons();
+  rings.next();
+  diagram.insert(90, 50, 0);
+  list[2] = 0;
+  expect(asked).toEqual(all);
+  expect([...rings].map((ring) => ring.index)).toEqual([1, 2]);
+  expect(asked).toEqual(all);
+});
+
+test("a function may not change the diagram, and its errors are the caller's", () => {
+  const diagram = new Diagram([20, 30, 4, 70, 40, 9]);
+  const busy = expect.objectContaining({ code: "busy" });
+  const before = diagram.sites();
+  for (const change of [
+    () => diagram.insert(1, 1, 1),
+    () => diagram.remove(0),
+    () => diagram.dispose(),
+    () => diagram.voronoi(box).fitAreas([1, 1]),
+  ]) {
+    const view = diagram.voronoi(box, { maxDistance: change });
+    for (const ask of [
+      () => view.cellArea(0),
+      () => view.cellAreas(),
+      () => view.contains(0, 9, 9),
+    ])
+      expect(ask).toThrow(busy);
+  }
+  const own = new Error("mine");
+  const failing = diagram.voronoi(box, {
+    maxDistance: () => {
+      throw own;
+    },
+  });
+  expect(() => failing.cellAreas()).toThrow(own);
+  expect(diagram.sites()).toEqual(before);
+  expect(diagram.insert(50, 50, 0)).toBe(2); // no longer busy
+});
+
+test("a view disposed of by the function says so", () => {
+  const view = new Diagram([20, 30, 4, 70, 40, 9]).voronoi(box, {
+    maxDistance: () => {
+      view.dispose();
+      return 3;
+    },
+  });
+  expect(() => view.cellAreas()).toThrow(expect.objectContaining({ code: "disposed" }));
 });
 
 test.each([
-  [NaN, "not-finite", /distance is NaN/],
-  ["3", "not-finite", /distance is the string "3"/],
-  [-Infinity, "not-finite", /distance is -Infinity/],
-  [1e200, "out-of-range", /distance is 1e\+200/],
-  [[1], "bad-length", /distance has 1 elements, expected 2/],
-  [[1, NaN], "not-finite", /distance\[1\] is NaN/],
-  [{ 0: 1 }, "bad-option", /none for site 1/],
-  [{ 7: 1 }, "unknown-site", /7/],
-])("a distance of %p is refused", (distance, code, message) => {
+  [NaN, "not-finite", /maxDistance is NaN/],
+  ["3", "not-finite", /maxDistance is the string "3"/],
+  [null, "not-finite", /maxDistance is null/],
+  [-Infinity, "not-finite", /maxDistance is -Infinity/],
+  [1e200, "out-of-range", /maxDistance is 1e\+200/],
+])("a maxDistance of %p is refused at once", (maxDistance, code, message) => {
   const diagram = new Diagram([20, 30, 4, 70, 40, 9]);
-  expect(() => diagram.voronoi(box, { distance })).toThrow(
+  expect(() => diagram.voronoi(box, { maxDistance })).toThrow(
+    expect.objectContaining({ code, message: expect.stringMatching(message) }),
+  );
+});
+
+test.each([
+  [[1], "bad-option", /an array of 1 that has none for site 1: add it there, or give a function/],
+  [[1, NaN], "not-finite", /maxDistance of site 1 is NaN/],
+  [[1, "2"], "not-finite", /maxDistance of site 1 is the string "2"/],
+  [{ 0: 1 }, "bad-option", /an object that has none for site 1/],
+  [new Map(), "bad-option", /none for site 0/],
+  [() => undefined, "not-finite", /maxDistance of site 0 is undefined/],
+  [(id) => -id * 1e200, "out-of-range", /maxDistance of site 1 is -1e\+200/],
+])("a maxDistance of %p is refused when it is read", (maxDistance, code, message) => {
+  const diagram = new Diagram([20, 30, 4, 70, 40, 9]);
+  const view = diagram.voronoi(box, { maxDistance });
+  expect(() => view.cellAreas()).toThrow(
     expect.objectContaining({ code, message: expect.stringMatching(message) }),
   );
   expect(diagram.size).toBe(2);
 });
 
+// Inclusive and exact, where the rounded distance may be either.
+test("a point at the limit is in the cell; what is contained is what is found within it", () => {
+  const diagram = new Diagram([0, 0, 1, 100, 0, 1]);
+  const view = diagram.voronoi([-10, -10, 110, 10], { maxDistance: 4 });
+  expect([view.contains(0, 3, 4), view.contains(0, 5, 0)]).toEqual([true, true]);
+  expect(view.contains(0, 5.000000000000001, 0)).toBe(false);
+  const random = generator(33);
+  for (let run = 0; run < 300; ++run) {
+    const [x, y] = [random() * 6, random() * 6];
+    const { distance } = diagram.nearest(x, y);
+    const exactly = diagram.voronoi([-10, -10, 110, 10], { maxDistance: distance });
+    expect(exactly.contains(0, x, y)).toBe(diagram.within(x, y, distance).length > 0);
+  }
+});
+
+test("values and weights end where the cells do", () => {
+  const random = generator(34);
+  const circles = someCircles(random, 15);
+  const diagram = Diagram.from(circles);
+  const limits = circles.map(() => 8 * random());
+  const values = circles.map(() => random());
+  const whole = diagram.voronoi(box);
+  for (const maxDistance of [5, limits, (id) => limits[id]]) {
+    const view = diagram.voronoi(box, { maxDistance });
+    const points = Array.from({ length: 400 }, (_, k) => (k % 2 ? 60 : 100) * random());
+    const field = view.interpolate(values, points);
+    const expected = whole.interpolate(values, points);
+    for (let k = 0; k < field.length; ++k) {
+      const [x, y] = [points[2 * k], points[2 * k + 1]];
+      const { id, distance } = diagram.nearest(x, y);
+      const isWithin = distance <= (maxDistance === 5 ? 5 : limits[id]);
+      expect(field[k]).toBe(isWithin ? expected[k] : NaN);
+      expect(view.naturalWeights(x, y)).toEqual(isWithin ? whole.naturalWeights(x, y) : null);
+      expect(view.contains(id, x, y)).toBe(isWithin);
+    }
+    expect(field.some(Number.isNaN) && !field.every(Number.isNaN)).toBe(true);
+  }
+});
+
 test("areas cannot be prescribed then; a view can be disposed of", async () => {
-  const view = new Diagram([20, 30, 4, 70, 40, 9]).voronoi(box, { distance: 3 });
+  const view = new Diagram([20, 30, 4, 70, 40, 9]).voronoi(box, { maxDistance: 3 });
   expect(() => view.fitAreas([1, 1])).toThrow(expect.objectContaining({ code: "bad-option" }));
   await expect(view.fitAreasAsync([1, 1])).rejects.toMatchObject({ code: "bad-option" });
   view.dispose();

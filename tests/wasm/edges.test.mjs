@@ -21,8 +21,8 @@ const pairsOf = (array) =>
 const views = [
   ["a rectangle", diagram.voronoi(bounds)],
   ["a region", diagram.voronoi(lake)],
-  ["a rectangle up to a distance", diagram.voronoi(bounds, { distance: 15 })],
-  ["a region up to a distance", diagram.voronoi(lake, { distance: 15 })],
+  ["a rectangle up to a distance", diagram.voronoi(bounds, { maxDistance: 15 })],
+  ["a region up to a distance", diagram.voronoi(lake, { maxDistance: 15 })],
 ];
 
 describe.each(views)("in %s", (name, view) => {

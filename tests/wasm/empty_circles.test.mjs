@@ -41,7 +41,7 @@ test("of several, none has its centre in one before it, and they come by size", 
       expect(Math.hypot(one.x - before.x, one.y - before.y)).toBeGreaterThanOrEqual(before.r);
   });
   expect(view.emptyCircles(0)).toEqual([]);
-  expect(diagram.voronoi(box, { distance: 1 }).emptyCircles(10)).toEqual(circles);
+  expect(diagram.voronoi(box, { maxDistance: 1 }).emptyCircles(10)).toEqual(circles);
 });
 
 test("one site, none, and a window that is covered", () => {

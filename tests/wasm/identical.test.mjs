@@ -10,7 +10,7 @@ const whole = (below) => Math.floor(random() * below);
 /** Name, class, and cells as GeoJSON. On both surfaces a site is named by two numbers. */
 const surfaces = [
   ["plane", Diagram, (diagram) => diagram.voronoi([-1, -1, 50, 50]).toGeoJSON()],
-  ["sphere", SphericalDiagram, (diagram) => diagram.toGeoJSON()],
+  ["sphere", SphericalDiagram, (diagram) => diagram.voronoi().toGeoJSON()],
 ];
 
 describe.each(surfaces)("%s", (_, Class, cellsOf) => {

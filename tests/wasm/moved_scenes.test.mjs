@@ -187,7 +187,7 @@ function factsOf(sites, { polygon, distance }, [x, y, scale], isFitted) {
     ? { type: "MultiPolygon", coordinates: kPolygon.map((part) => part.map((r) => r.map(there))) }
     : [...there(kRectangle), ...there(kRectangle.slice(2))];
   const diagram = new Diagram(xyr);
-  const options = distance === undefined ? undefined : { distance: distance * scale };
+  const options = distance === undefined ? undefined : { maxDistance: distance * scale };
   const view = diagram.voronoi(window, options);
   const [length, area] = [(value) => value / scale, (value) => value / scale ** 2];
   const ids = [...diagram.ids()];
@@ -220,11 +220,7 @@ function factsOf(sites, { polygon, distance }, [x, y, scale], isFitted) {
     polygons: area(sumOf(features.flatMap(({ geometry }) => ringsOf(geometry).map(areaOfRing)))),
     parts: ids.map((id) =>
       area(
-        sumOf(
-          (view.cellParts(id, { tolerance }) ?? []).flatMap((part) =>
-            [part, ...part.holes].map(areaOfRing),
-          ),
-        ),
+        sumOf((view.cellParts(id, { tolerance }) ?? []).flatMap((part) => part.map(areaOfRing))),
       ),
     ),
     drawn: ids.map((id) => area(areaDrawn(view, id, tolerance))),
@@ -237,7 +233,6 @@ function factsOf(sites, { polygon, distance }, [x, y, scale], isFitted) {
       found?.ids.forEach((id, k) => (weights[id] = found.weights[k]));
       return weights;
     }),
-    within: ids.map((id) => area(view.cellWithin(id, 5 * scale)?.area ?? 0)),
     contained: probes.map((probe) => ids.filter((id) => view.contains(id, ...there(probe)))),
     neighbors: neighborsOf(view, ids, curves, beside, scale),
   };

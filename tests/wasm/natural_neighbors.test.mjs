@@ -32,7 +32,7 @@ test.each(
     const bytes = diagram.toBytes();
     for (let k = 0; k < 10; ++k) {
       const [x, y, r] = [100 * random(), 60 * random(), k % 3 === 0 ? 2 * random() : 0];
-      const found = view.naturalWeights(x, y, r);
+      const found = view.naturalWeights(x, y, { r });
       const cover = circles.findIndex(([a, b, c]) => Math.hypot(x - a, y - b) <= c - r);
       if (cover >= 0) {
         expect(found.weights).toEqual(Float64Array.of(1));
@@ -107,7 +107,7 @@ describe("interpolate", () => {
       expect(results.length).toBe(points.length);
       points.forEach(([x, y], k) => {
         if (!view.window.contains(x, y)) return expect(results[k]).toBeNaN();
-        const { ids, weights } = view.naturalWeights(x, y, r);
+        const { ids, weights } = view.naturalWeights(x, y, { r });
         const expected = ids.reduce((sum, id, n) => sum + weights[n] * values[id], 0);
         expect(results[k]).toBeCloseTo(expected, 10);
       });

@@ -27,8 +27,8 @@ const views = {
   "bounds away from all": diagram.voronoi([5000, 5000, 5001, 5001]),
   "a small window": diagram.voronoi([300, 300, 300.001, 300.001]),
   "a region": diagram.voronoi(kStar),
-  "a distance": diagram.voronoi(kBounds, { distance: 4 }),
-  "a region and a distance": diagram.voronoi(kStar, { distance: 4 }),
+  "a distance": diagram.voronoi(kBounds, { maxDistance: 4 }),
+  "a region and a distance": diagram.voronoi(kStar, { maxDistance: 4 }),
 };
 
 test.each(Object.entries(views))("in %s they are what renderCell gives", (_, view) => {

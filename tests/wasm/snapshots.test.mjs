@@ -267,7 +267,7 @@ function callAll(diagram, codes) {
       diagram.neighbors(id),
       diagram.coverOf(id),
       voronoi.cellParts(id),
-      voronoi.cellWithin(id, 3),
+      voronoi.cellGeometry(id),
     ]);
     attempt(() => voronoi.cellMeasures(id));
   }

@@ -31,8 +31,8 @@ const calls = [
   ["pick", (d, lon, lat) => d.pick(lon, lat)],
   ["kNearest", (d, lon, lat) => d.kNearest(lon, lat, 2)],
   ["within", (d, lon, lat) => d.within(lon, lat, 5)],
-  ["contains", (d, lon, lat) => d.contains(0, lon, lat)],
-  ["naturalWeights", (d, lon, lat) => d.naturalWeights(lon, lat)],
+  ["contains", (d, lon, lat) => d.voronoi().contains(0, lon, lat)],
+  ["naturalWeights", (d, lon, lat) => d.voronoi().naturalWeights(lon, lat)],
   ["insert", (d, lon, lat) => d.insert(lon, lat, 0)],
   ["update", (d, lon, lat) => d.update(0, lon, lat)],
 ];
@@ -46,10 +46,16 @@ test.each(calls)("%s refuses what is no point", (_, call) => {
   expect(diagram.sites()).toEqual(before);
 });
 
+const ofCells = ["cellArea", "cellCentroid", "cellPerimeter", "cellMeasures", "cellPolygon"];
+ofCells.push("cellGeometry", "contains", "neighbors");
+
 test("arrays, weights, options and ids are refused by name", () => {
   const diagram = make();
   const before = diagram.sites();
   const { find } = diagram;
+  const view = diagram.voronoi();
+  const { cellArea } = view;
+  const within = (maxDistance) => diagram.voronoi({ maxDistance });
   for (const [call, code, message] of [
     [() => diagram.insertMany([1, 2]), "bad-length", "a multiple of 3 values in lonLatR, got 2"],
     [() => diagram.insertMany([1, 2, 3, 4, 95, 6]), "out-of-range", `lonLatR[4] is 95, ${hint}`],
@@ -71,28 +77,47 @@ test("arrays, weights, options and ids are refused by name", () => {
     [() => diagram.kNearest(0, 0, 1, { filter: 3 }), "bad-option", "options.filter is 3"],
     [() => diagram.kNearest(0, 0, 1, { far: 3 }), "bad-option", "options.far is unknown"],
     [() => diagram.within(0, 0, NaN), "not-finite", "maxDistance is NaN"],
-    [() => diagram.cellPolygon(0, { tolerance: 0 }), "out-of-range", "options.tolerance is 0"],
-    [() => diagram.cellArea(0, { distance: NaN }), "not-finite", "distance is NaN"],
-    [() => diagram.cellArea(0, { distance: [1] }), "bad-length", "distance has 1 elements"],
-    [() => diagram.cellArea(0, { distance: [NaN, 1, 1] }), "not-finite", "distance[0] is NaN"],
-    [() => diagram.cellArea(0, { tolerance: 1 }), "bad-option", "options.tolerance is unknown"],
-    [() => diagram.cellArea(3, { distance: 1 }), "unknown-site", "site 3 does not exist"],
-    [() => diagram.cellAreas({ distance: [1, 1, NaN] }), "not-finite", "distance[2] is NaN"],
-    [() => diagram.cellPerimeter(0, { distance: 1e101 }), "out-of-range", "distance is 1e+101"],
-    [() => diagram.cellPerimeters({ distance: new Map() }), "bad-option", "distance has none for"],
-    [() => diagram.cellCentroid(0, { distance: "1" }), "not-finite", "distance is the string"],
-    [() => diagram.contains(0, 0, 0, { distance: -Infinity }), "not-finite", "distance is -Inf"],
-    [() => diagram.toGeoJSON({ distance: { 9: 1 } }), "unknown-site", "site 9 does not exist"],
-    [() => [...diagram.cellPolygons({ distance: [0] })], "bad-length", "distance has 1 elements"],
-    [() => diagram.naturalWeights(0, 0, 3e4), "out-of-range", "r is 30000"],
-    [() => diagram.interpolate([1, 2], [0, 0]), "bad-length", "values has 2 elements"],
-    [() => diagram.interpolate([1, 2, 3], [0]), "bad-length", "a multiple of 2 values in lonLat"],
-    [() => diagram.interpolate([1, 2, 3], [0, 91]), "out-of-range", `lonLat[1] is 91, ${hint}`],
-    [() => diagram.interpolate([1, 2, 3], [0, 0], { r: NaN }), "not-finite", "options.r is NaN"],
-    [() => diagram.emptyCircles(-1), "out-of-range", "count is -1"],
-    [() => diagram.toGeoJSON({ winding: "left" }), "bad-option", "options.winding"],
-    [() => diagram.toGeoJSON({ antimeridian: true }), "bad-option", "options.antimeridian"],
-    [() => diagram.toGeoJSON({ properties: 5 }), "bad-option", "options.properties is 5"],
+    [() => diagram.voronoi({ maxDistance: NaN }), "not-finite", "options.maxDistance is NaN"],
+    [() => diagram.voronoi({ maxDistance: "1" }), "not-finite", "maxDistance is the string"],
+    [() => diagram.voronoi({ maxDistance: 1e101 }), "out-of-range", "maxDistance is 1e+101"],
+    [() => diagram.voronoi({ maxDistance: -Infinity }), "not-finite", "maxDistance is -Inf"],
+    [() => diagram.voronoi({ distance: 1 }), "bad-option", "options.distance is unknown"],
+    [() => diagram.voronoi([0, 0, 1, 1]), "bad-option", "options is an array of 4, expected { max"],
+    [() => within([1]).cellAreas(), "bad-option", "an array of 1 that has none for site 1"],
+    [() => within([NaN, 1, 1]).cellArea(0), "not-finite", "maxDistance of site 0 is NaN"],
+    [() => within([1, 1, NaN]).cellPerimeters(), "not-finite", "maxDistance of site 2 is NaN"],
+    [() => within(new Map()).cellCentroids(), "bad-option", "an object that has none for site 0"],
+    [() => within({}).toGeoJSON(), "bad-option", "add it there, or give a function of an id"],
+    [() => [...within([0]).cellPolygons()], "bad-option", "has none for site 1"],
+    [() => within(() => diagram.clear()).cellAreas(), "busy", "nor may maxDistance"],
+    [() => within(() => diagram.insert(0, 0)).contains(0, 0, 0), "busy", "nor may maxDistance"],
+    [() => view.cellPolygon(0, { tolerance: 0 }), "out-of-range", "options.tolerance is 0, expec"],
+    [
+      () => view.cellMesh({ tolerance: 6e-6 }),
+      "out-of-range",
+      "expected at least 1e-9 of the radius, which is 6371",
+    ],
+    [() => view.cellMesh({ winding: "clockwise" }), "bad-option", "options.winding is unknown"],
+    [
+      () => view.cellPolygon(0, { antimeridian: "cut" }),
+      "bad-option",
+      "options.antimeridian is un",
+    ],
+    [() => view.naturalWeights(0, 0, { r: 3e4 }), "out-of-range", "options.r is 30000"],
+    [() => view.naturalWeights(0, 0, 1), "bad-option", "options is 1, expected { r }"],
+    [() => view.interpolate([1, 2], [0, 0]), "bad-length", "values has 2 elements"],
+    [() => view.interpolate([1, 2, 3], [0]), "bad-length", "a multiple of 2 values in lonLat"],
+    [() => view.interpolate([1, 2, 3], [0, 91]), "out-of-range", `lonLat[1] is 91, ${hint}`],
+    [() => view.interpolate([1, 2, 3], [0, 0], { r: NaN }), "not-finite", "options.r is NaN"],
+    [() => view.emptyCircles(-1), "out-of-range", "count is -1"],
+    [() => view.toGeoJSON({ winding: "left" }), "bad-option", "options.winding"],
+    [() => view.toGeoJSON({ antimeridian: true }), "bad-option", "options.antimeridian"],
+    [() => view.toGeoJSON({ properties: 5 }), "bad-option", "options.properties is 5"],
+    [() => view.cellGeometry(0, { properties: 5 }), "bad-option", "options.properties is unknown"],
+    [() => view.cellGeometry(0, { antimeridian: true }), "bad-option", "options.antimeridian"],
+    ...ofCells.map((name) => [() => view[name](3), "unknown-site", "site 3 does not exist"]),
+    [() => cellArea(0), "bad-option", "a method was called on undefined"],
+    [() => cellArea.call(diagram, 0), "bad-option", "a method was called on an object"],
     [() => new SphericalDiagram([], { radius: 0 }), "out-of-range", "options.radius is 0"],
     [() => new SphericalDiagram([], { radius: "1" }), "not-finite", "options.radius is the string"],
     [() => new SphericalDiagram([], { size: 1 }), "bad-option", "options.size is unknown"],
@@ -131,8 +156,9 @@ test("arrays, weights, options and ids are refused by name", () => {
   expect(diagram.validate()).toBeNull();
 });
 
-test("what a filter may not do, and what a disposed diagram says", () => {
+test("what a filter may not do, and what a disposed diagram says", async () => {
   const diagram = make();
+  const view = diagram.voronoi();
   const changing = ["insert", "remove", "update", "insertMany", "removeMany", "updateMany"];
   for (const name of [...changing, "clear", "dispose"])
     diagram.kNearest(0, 0, 1, {
@@ -153,18 +179,29 @@ test("what a filter may not do, and what a disposed diagram says", () => {
     if (skipped.includes(name)) continue;
     if (get !== undefined) {
       expectRefusal(() => get.call(diagram), "disposed", "has been disposed of");
-    } else if (name === "cellPolygons") {
-      expectRefusal(() => [...diagram.cellPolygons()], "disposed", "has been disposed of");
+    } else if (name === "voronoi") {
+      expectRefusal(() => diagram.voronoi(), "disposed", "has been disposed of");
     } else {
       const lists = name.endsWith("Many");
       const args = lists ? [[], []] : [0, 0, 0, 0];
-      const options = name === "toGeoJSON" || name === "cellPolygon" ? [0] : args;
-      expectRefusal(
-        () => value.apply(diagram, name === "toGeoJSON" ? [] : options),
-        "disposed",
-        "has been disposed of",
-      );
+      expectRefusal(() => value.apply(diagram, args), "disposed", "has been disposed of");
     }
+  }
+  for (const [name, { value }] of Object.entries(
+    Object.getOwnPropertyDescriptors(Object.getPrototypeOf(view)),
+  )) {
+    if (name === "constructor" || value === undefined) continue;
+    const args = name.startsWith("interpolate") ? [[], []] : [0, undefined, undefined];
+    const ask = () => {
+      const answer = value.apply(
+        view,
+        /^(toGeoJSON|cellMesh|cellPolygons)$/.test(name) ? [] : args,
+      );
+      return name === "cellPolygons" ? [...answer] : answer;
+    };
+    if (name === "interpolateAsync")
+      await expect(ask()).rejects.toMatchObject({ code: "disposed" });
+    else expectRefusal(ask, "disposed", "has been disposed of");
   }
   expect(String(diagram)).toBe("SphericalDiagram { disposed }");
 });

@@ -47,41 +47,41 @@ describe.each(sets)("%s", (_, list) => {
       list.map((_, id) => [id, id % 3 === 2 ? Infinity : 3 * random()]),
     );
     for (const reach of [-0.2, 0.5, 4, 20, by]) {
-      const options = { distance: reach, tolerance: 1e-4 };
-      const areas = diagram.cellAreas({ distance: reach });
-      const perimeters = diagram.cellPerimeters({ distance: reach });
-      const { features } = diagram.toGeoJSON({ ...options, winding: "clockwise" });
+      const options = { tolerance: 1e-3 };
+      const view = diagram.voronoi({ maxDistance: reach });
+      const areas = view.cellAreas();
+      const perimeters = view.cellPerimeters();
+      const { features } = view.toGeoJSON({ ...options, winding: "clockwise" });
       const shown = new Set(features.map(({ id }) => id));
       for (const feature of features) {
         const { id } = feature;
         expect(geoArea(feature)).toBeCloseTo(areas[id] / 100, 2);
-        expect(diagram.cellArea(id, { distance: reach })).toBe(areas[id]);
-        expect(diagram.cellPerimeter(id, { distance: reach })).toBe(perimeters[id]);
-        const centroid = diagram.cellCentroid(id, { distance: reach });
+        expect(view.cellArea(id)).toBe(areas[id]);
+        expect(view.cellPerimeter(id)).toBe(perimeters[id]);
+        const centroid = view.cellCentroid(id);
         expect(centroid.every(Number.isFinite)).toBe(true);
       }
       for (const id of diagram.ids()) if (!shown.has(id)) expect(areas[id]).toBeCloseTo(0, 12);
-      const cut = diagram.toGeoJSON(options);
+      const cut = view.toGeoJSON(options);
       expect(cut.features.map(({ id }) => id)).toEqual([...shown]);
       for (const { geometry } of cut.features)
         expect(new IsValidOp(new GeoJSONReader().read(geometry)).isValid()).toBe(true);
-      const rings = [...diagram.cellPolygons(options)];
+      const rings = [...view.cellPolygons(options)];
       expect(rings.map(({ index }) => index)).toEqual([...shown]);
       if (typeof reach === "number")
-        for (const ring of rings)
-          expect(diagram.cellPolygon(ring.index, options)).toEqual([...ring]);
+        for (const ring of rings) expect(view.cellPolygon(ring.index, options)).toEqual([...ring]);
       for (let k = 0; k < 100; ++k) {
         const [lon, lat] = point();
         const found = diagram.nearest(lon, lat);
         const most = typeof reach === "number" ? reach : reach[found.id];
         const isServed = found.distance <= most;
-        expect(diagram.contains(found.id, lon, lat, { distance: reach })).toBe(isServed);
+        expect(view.contains(found.id, lon, lat)).toBe(isServed);
       }
     }
   });
 
   test("the largest empty circle is the farthest place of all", () => {
-    const circle = diagram.largestEmptyCircle();
+    const circle = diagram.voronoi().largestEmptyCircle();
     expect(circle.r).toBeCloseTo(10 * least(list, circle.lon, circle.lat), 10);
     expect(circle.r).toBeCloseTo(10 * distance(circle.lon, circle.lat, list[circle.site]), 10);
     for (let k = 0; k < 4000; ++k) {
@@ -92,7 +92,7 @@ describe.each(sets)("%s", (_, list) => {
   });
 
   test("empty circles are apart, the largest first", () => {
-    const circles = diagram.emptyCircles(8);
+    const circles = diagram.voronoi().emptyCircles(8);
     for (const [k, circle] of circles.entries()) {
       expect(circle.r).toBeCloseTo(10 * least(list, circle.lon, circle.lat), 10);
       for (const one of circles.slice(0, k)) {
@@ -101,62 +101,71 @@ describe.each(sets)("%s", (_, list) => {
         expect(away).toBeGreaterThan(Math.max(one.r, 0) - 1e-12);
       }
     }
-    expect(diagram.emptyCircles(0)).toEqual([]);
+    expect(diagram.voronoi().emptyCircles(0)).toEqual([]);
   });
 
   test("interpolation is the sum of weights and values, whichever way they come", () => {
     const values = Float64Array.from(list, random);
     const points = Array.from({ length: 50 }, point);
-    const found = diagram.interpolate(values, points.flat(), { r: 0.1 });
+    const found = diagram.voronoi().interpolate(values, points.flat(), { r: 0.1 });
     const sums = points.map(([lon, lat]) => {
-      const { ids, weights } = diagram.naturalWeights(lon, lat, 0.1);
+      const { ids, weights } = diagram.voronoi().naturalWeights(lon, lat, { r: 0.1 });
       expect(weights.reduce((a, b) => a + b)).toBeCloseTo(1, 13);
       return weights.reduce((sum, weight, k) => sum + weight * values[ids[k]], 0);
     });
     for (const [k, sum] of sums.entries()) expect(found[k]).toBeCloseTo(sum, 12);
     const map = new Map(values.entries());
-    expect(diagram.interpolate(map, points.flat(), { r: 0.1 })).toEqual(found);
+    expect(diagram.voronoi().interpolate(map, points.flat(), { r: 0.1 })).toEqual(found);
   });
 });
 
 test("of very many sites, too", () => {
   const many = new SphericalDiagram(sites(100_000, 0).flat());
-  const { lon, lat, r, site } = many.largestEmptyCircle();
+  const { lon, lat, r, site } = many.voronoi().largestEmptyCircle();
   expect(many.nearest(lon, lat).distance).toBeCloseTo(r, 12);
   const { lon: x, lat: y } = many.site(site);
   expect(geoDistance([lon, lat], [x, y])).toBeCloseTo(r, 12);
   const values = new Float64Array(100_000).fill(2);
-  for (const value of many.interpolate(values, [10, 20, lon, lat]))
+  for (const value of many.voronoi().interpolate(values, [10, 20, lon, lat]))
     expect(value).toBeCloseTo(2, 12);
 });
 
 test("without sites there is nothing", () => {
   const empty = new SphericalDiagram();
-  expect(empty.largestEmptyCircle()).toBeNull();
-  expect(empty.emptyCircles(3)).toEqual([]);
-  expect(empty.naturalWeights(1, 2)).toBeNull();
-  expect([...empty.interpolate([], [1, 2, 3, 4])]).toEqual([NaN, NaN]);
-  expect(empty.cellAreas({ distance: 1 })).toEqual(new Float64Array());
-  expect(empty.toGeoJSON({ distance: 1 }).features).toEqual([]);
+  expect(empty.voronoi().largestEmptyCircle()).toBeNull();
+  expect(empty.voronoi().emptyCircles(3)).toEqual([]);
+  expect(empty.voronoi().naturalWeights(1, 2)).toBeNull();
+  expect([...empty.voronoi().interpolate([], [1, 2, 3, 4])]).toEqual([NaN, NaN]);
+  expect(empty.voronoi({ maxDistance: 1 }).cellAreas()).toEqual(new Float64Array());
+  expect(empty.voronoi({ maxDistance: 1 }).toGeoJSON().features).toEqual([]);
 });
 
 test("a hidden site has no area and no perimeter, as on the plane", () => {
   const pair = new SphericalDiagram([10, 20, 0.5, 10, 21, 0.1]);
   expect(pair.isHidden(1)).toBe(true);
-  for (const options of [{}, { distance: 1 }]) {
-    expect(pair.cellArea(1, options)).toBeNull();
-    expect(pair.cellPerimeter(1, options)).toBeNull();
-    expect(pair.cellAreas(options)[1]).toBe(0);
+  for (const maxDistance of [undefined, 1, [1, 2]]) {
+    const view = pair.voronoi({ maxDistance });
+    expect(view.cellMeasures(1)).toEqual({ area: 0, centroid: null, perimeter: 0 });
+    expect([view.cellArea(1), view.cellPerimeter(1), view.cellCentroid(1)]).toEqual([0, 0, null]);
+    expect([view.cellAreas()[1], view.cellPerimeters()[1]]).toEqual([0, 0]);
+    expect([...view.cellCentroids().subarray(2)]).toEqual([NaN, NaN]);
+    expect([view.cellPolygon(1), view.cellGeometry(1)]).toEqual([null, null]);
+    expect(view.neighbors(1)).toHaveLength(0);
+    expect(view.contains(1, 10, 21)).toBe(false);
   }
 });
 
 test("a distance as far as the opposite point cuts nothing off, one below the centre all", () => {
   const one = new SphericalDiagram([10, 20, 0.5]);
-  expect(one.cellArea(0, { distance: 3 })).toBe(4 * Math.PI);
-  expect(one.cellPerimeter(0, { distance: 3 })).toBe(0);
-  expect(one.cellPolygon(0, { distance: 3 })).toEqual([]);
-  expect(one.cellPolygon(0, { distance: -0.5 })).toBeNull();
-  expect(one.cellCentroid(0, { distance: -0.5 })).toBeNull();
-  const { features } = one.toGeoJSON({ distance: 3, antimeridian: "keep" });
+  const all = one.voronoi({ maxDistance: 3 });
+  expect(all.cellArea(0)).toBe(4 * Math.PI);
+  expect(all.cellPerimeter(0)).toBe(0);
+  expect(() => all.cellPolygon(0)).toThrow(expect.objectContaining({ code: "out-of-range" }));
+  expect(all.cellGeometry(0, { winding: "clockwise" })).toEqual({ type: "Sphere" });
+  const none = one.voronoi({ maxDistance: -0.5 });
+  expect([none.cellPolygon(0), none.cellGeometry(0), none.cellCentroid(0)]).toEqual(
+    Array(3).fill(null),
+  );
+  const { features } = all.toGeoJSON({ antimeridian: "keep" });
   expect(features[0].geometry).toEqual({ type: "Sphere" });
 });

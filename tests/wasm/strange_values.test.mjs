@@ -1,5 +1,5 @@
 // Objects in place of numbers: what runs when they are converted, and strange values everywhere.
-import { ApolloniusError, Diagram, Voronoi } from "../../build/packed/consumer.mjs";
+import { ApolloniusError, Diagram } from "../../build/packed/consumer.mjs";
 import { randomCircles } from "./support/random.mjs";
 import { expectRefusal } from "./support/refusal.mjs";
 
@@ -27,7 +27,7 @@ test.each([
   [[]],
   [undefined],
 ])("a view is not made by hand with bounds %p", (bounds) => {
-  expectRefusal(() => new Voronoi(built(), bounds), "bad-bounds", "");
+  expectRefusal(() => new (built().voronoi().constructor)(built(), bounds), "bad-bounds", "");
 });
 
 const strange = () => [
@@ -93,4 +93,21 @@ test.each(Object.entries(places))("%s with strange values in every place", (name
     }
   }
   expect(diagram.validate()).toBeNull();
+});
+
+// Some of them failed with a TypeError of the engine's.
+test("every method of a view says what it was called on", async () => {
+  const view = built().voronoi();
+  const methods = Object.getOwnPropertyDescriptors(Object.getPrototypeOf(view));
+  for (const [name, { value }] of Object.entries(methods)) {
+    if (value === undefined || ["constructor", "dispose"].includes(name)) continue;
+    for (const receiver of [undefined, {}, built()]) {
+      const ask = () => {
+        const answer = value.call(receiver, 0, undefined, undefined);
+        return name === "cellPolygons" ? [...answer] : answer;
+      };
+      if (name.endsWith("Async")) await expect(ask()).rejects.toMatchObject({ code: "bad-option" });
+      else expectRefusal(ask, "bad-option", "a method was called on");
+    }
+  }
 });

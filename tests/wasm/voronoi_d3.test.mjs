@@ -69,7 +69,7 @@ test.each([1, 0.1, 7])("a lattice of unit %p has the neighbors of d3-delaunay", 
   ];
   const theirs = Delaunay.from(points).voronoi(bounds);
   const diagram = new Diagram(points.flatMap(([x, y]) => [x, y, 0]));
-  for (const [window, options] of [[bounds], [[octagon]], [bounds, { distance: 0.75 * unit }]]) {
+  for (const [window, options] of [[bounds], [[octagon]], [bounds, { maxDistance: 0.75 * unit }]]) {
     const ours = diagram.voronoi(window, options);
     for (const id of diagram.ids()) {
       const beside = [
@@ -141,7 +141,7 @@ test("any circles and window: cells fill it, polygons follow, histories do not m
           const measures = voronoi.cellMeasures(id);
           expect(Math.abs(measures.area - areas[id])).toBeLessThanOrEqual(1e-12 * whole);
           const regions = voronoi.cellParts(id, { flat: true }) ?? [];
-          for (const ring of regions) sum += ringArea(ring);
+          for (const [ring] of regions) sum += ringArea(ring);
           if (measures.centroid !== null && measures.area > 1e-6 * whole) {
             expect(measures.centroid[0]).toBeGreaterThanOrEqual(bounds[0]);
             expect(measures.centroid[0]).toBeLessThanOrEqual(bounds[2]);

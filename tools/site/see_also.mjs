@@ -55,7 +55,7 @@ export const kSeeAlso = {
   "voronoi.interpolate": [interpolation],
   "voronoi.fitAreas": [areas, recipe("i-want-areas-by-value", "I want areas by value")],
   "sphericalDiagram.find": [sphere],
-  "sphericalDiagram.toGeoJSON": [service],
-  "sphericalDiagram.largestEmptyCircle": [emptyCircle],
+  "sphericalVoronoi.toGeoJSON": [service],
+  "sphericalVoronoi.largestEmptyCircle": [emptyCircle],
   "function treemap": [areas, ["examples/#treemap", "an example"]],
 };

@@ -152,6 +152,11 @@ void findMany(const AnyDiagram& diagram, const NumbersIn& xy, double maxDistance
   if (!distances.isNull()) distances.call<void>("set", viewOf(far));
 }
 
+template <class AnyDiagram>
+double revision(const AnyDiagram& diagram) {
+  return static_cast<double>(diagram.revision());
+}
+
 // --- Building in steps. The calls are the diagram's, which a trap in one of them breaks.
 
 /// The caller deletes it, before the diagram.
@@ -234,6 +239,7 @@ emscripten::class_<AnyDiagram> registerDiagram(const char* name, const char* nam
       .function("neighbors", returning<&AnyDiagram::neighbors>())
       .function("vertices", returning<&AnyDiagram::vertices>(), moved)
       .function("edges", returning<&AnyDiagram::edges>(), moved)
+      .function("revision", &revision<AnyDiagram>)
       .function("toBytes", returning<&AnyDiagram::toBytes>())
       .function("validate", &validate<AnyDiagram>);
 }

@@ -43,8 +43,6 @@ auto inWindow() {
   return inWindow<method>(method, inputsOf(method));
 }
 
-double revision(const Diagram& diagram) { return static_cast<double>(diagram.revision()); }
-
 /// Values by id at points x, y, ….
 std::vector<double> interpolate(const Diagram& diagram, const Region* region, const Reach* reach,
                                 double xmin, double ymin, double xmax, double ymax,
@@ -128,12 +126,15 @@ Region* makeRegion(const Diagram&, const NumbersIn& coordinates, const NumbersIn
   return allocating([&] { return new Region(std::move(region)); });
 }
 
-/// One distance for all sites, or one for each id.
-Reach* makeReach(const Diagram&, const NumbersIn& distances, bool isById) {
+/// One distance for each of `ids`, which ascend; or, without these, one for all sites, or one for
+/// each id.
+Reach* makeReach(const Diagram&, const NumbersIn& distances, const NumbersIn& ids) {
   const std::vector<double> values = vectorOf<double>(distances);
+  const std::vector<SiteId> sites = vectorOf<SiteId>(ids);
   auto reach = allocating([&] {
-    return isById ? std::make_unique<Reach>(std::span<const double>(values))
-                  : std::make_unique<Reach>(values.at(0));
+    return !sites.empty()       ? std::make_unique<Reach>(sites, values)
+           : values.size() != 1 ? std::make_unique<Reach>(std::span<const double>(values))
+                                : std::make_unique<Reach>(values[0]);
   });
   if (reach->hasNaN()) check(Error::kNotFinite);
   if (reach->isOutOfRange()) check(Error::kOutOfRange);
@@ -186,12 +187,6 @@ std::vector<double> fitWeights(const Fitting& fitting) {
   return weights;
 }
 void finishFit(Diagram& diagram, const Fitting& fitting) { check(fitting.fit.finish(diagram)); }
-
-apollonius::CellMeasures measuresWithin(const Diagram& diagram, SiteId id, double radius) {
-  apollonius::CellMeasures measures;
-  check(Voronoi(diagram).cellMeasuresWithin(id, radius, measures));
-  return measures;
-}
 
 }  // namespace
 
@@ -254,7 +249,6 @@ void registerShapes() {
       .function("weights", &fitWeights);
 
   function("naturalWeights", inWindow<&Voronoi::naturalWeights>(), allow_raw_pointers());
-  function("revision", &revision);
   function("interpolate", &interpolate, allow_raw_pointers());
   function("defaultTolerance", &defaultTolerance);
   function("extent", &Voronoi::extentOf);
@@ -278,7 +272,6 @@ void registerShapes() {
   function("cellNeighbors", inWindow<&Voronoi::neighbors>(), allow_raw_pointers());
   function("cellMoments", inWindow<&Voronoi::cellMoments>(), allow_raw_pointers());
   function("cellMeasures", inWindow<&Voronoi::cellMeasures>(), allow_raw_pointers());
-  function("cellMeasuresWithin", &measuresWithin);
   function("cellAreas", inWindow<&Voronoi::cellAreas>(), allow_raw_pointers());
   function("cellCentroids", inWindow<&Voronoi::cellCentroids>(), allow_raw_pointers());
   function("cellPerimeters", inWindow<&Voronoi::cellPerimeters>(), allow_raw_pointers());

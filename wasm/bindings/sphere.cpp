@@ -52,6 +52,17 @@ apollonius::CoverageArrays cellPolygons(const SphericalDiagram& diagram, const N
   return polygons;
 }
 
+/// The ids of neighbours, one an edge, and after them how near the edges come.
+std::vector<double> cellNeighbors(const SphericalDiagram& diagram, SiteId id) {
+  std::vector<SiteId> ids;
+  std::vector<double> distances;
+  check(diagram.cellNeighbors(id, ids, distances));
+  return allocating([&] {
+    distances.insert(distances.begin(), ids.begin(), ids.end());
+    return std::move(distances);
+  });
+}
+
 /// The ids of the natural neighbours, and after them their weights: `shapes` has the record.
 std::vector<double> naturalWeights(const SphericalDiagram& diagram, double lon, double lat,
                                    double r) {
@@ -92,7 +103,7 @@ void registerSphere() {
       .function("insertMany", &insertIntoSphere)
       .function("narrowest", returning<&SphericalDiagram::narrowest>(), moved)
       .function("emptyCircles", returning<&SphericalDiagram::emptyCircles>(), moved)
-      .function("contains", returning<&SphericalDiagram::contains>())
+      .function("cellNeighbors", &cellNeighbors)
       .function("cellArea", returning<&SphericalDiagram::cellArea>())
       .function("cellPerimeter", returning<&SphericalDiagram::cellPerimeter>())
       .function("cellAreas", &cellAreas)

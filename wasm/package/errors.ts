@@ -13,8 +13,8 @@
  * - "not-loaded": the WebAssembly is not available: it is used before `load`, its address does not
  *   answer, or compiling is forbidden here (a content security policy, an edge runtime)
  * - "disposed": the diagram has been disposed of
- * - "busy": a filter tried to change the diagram that was asking it, or the diagram has changed
- *   while `fitAreas` was under way
+ * - "busy": a filter or maxDistance tried to change the diagram that was asking it, or the diagram
+ *   has changed while `fitAreas` was under way
  * - "out-of-memory": memory ran out, or was never enough
  * - "corrupt-snapshot": bytes that are no snapshot of a diagram
  * - "too-large": more than 2^29 sites at once (one by one, memory runs out first)

@@ -5,7 +5,7 @@ import { geoEqualEarth, geoOrthographic, geoPath } from "d3-geo";
 
 const radius = 6371.0088; // km, of the Earth: the unit of circles and distances
 const reach = 330; // km, of the largest city's circle
-const tolerance = 3e-4; // radians, of the edges: a pixel where the globe is largest
+const tolerance = 2; // km, of the edges: a pixel where the globe is largest
 // Between points of the coast, in km, and how far a curve's chords may be from it, in pixels.
 const fine = { apart: 0, precision: 0.3 };
 const coarse = { apart: 60, precision: 1 }; // while it turns
@@ -52,25 +52,6 @@ const landOf = (rings, apart) => ({
   coordinates: rings.map((steps) => ringOf(steps, apart)).filter(({ length }) => length > 3),
 });
 
-/** The edges, each once: of a line and the same line backwards, in the cell beside, one is left. */
-function edgesOf({ features }) {
-  const lines = [];
-  for (const { coordinates } of features.map(({ geometry }) => geometry)) {
-    let line = null;
-    for (const [k, to] of coordinates[0].entries()) {
-      const from = coordinates[0][k - 1] ?? to;
-      const isForwards = from[0] < to[0] || (from[0] === to[0] && from[1] < to[1]);
-      if (!isForwards) line = null;
-      else if (line) line.push(to);
-      else {
-        line = [from, to];
-        lines.push(line);
-      }
-    }
-  }
-  return { type: "MultiLineString", coordinates: lines };
-}
-
 const add = (parent, tag, properties = {}) =>
   parent.appendChild(Object.assign(document.createElement(tag), properties));
 
@@ -89,7 +70,8 @@ export default async function globe(container) {
     ({ r }) => r,
     { radius },
   );
-  const edges = edgesOf(diagram.toGeoJSON({ winding: "clockwise", tolerance }));
+  const cells = diagram.voronoi();
+  const edges = cells.cellMesh({ tolerance });
   const coasts = new Map([fine, coarse].map((detail) => [detail, landOf(land, detail.apart)]));
 
   const box = add(container, "div", { className: "globe" });
@@ -186,8 +168,7 @@ export default async function globe(container) {
     const stroke = dark.matches ? red.night : red.day;
     const { id, place } = picked;
     const shape = pen(context, 1.5);
-    const ring = diagram.cellPolygon(id, { winding: "clockwise" });
-    shape({ type: "Polygon", coordinates: [ring] }, `${stroke}40`, stroke);
+    shape(cells.cellGeometry(id, { winding: "clockwise" }), `${stroke}40`, stroke);
     shape({ type: "LineString", coordinates: [place, cities[id].place] }, "", stroke);
     context.fillStyle = stroke;
     circles(context, [cities[id]]);

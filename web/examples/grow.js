@@ -25,7 +25,7 @@ export default function grow(container) {
 
   /** The share of the picture that is within the distance of a circle. */
   const draw = () => {
-    const cells = diagram.voronoi([0, 0, width, height], { distance: Number(slider.value) });
+    const cells = diagram.voronoi([0, 0, width, height], { maxDistance: Number(slider.value) });
     context.clearRect(0, 0, width, height);
     for (const id of diagram.ids()) {
       context.fillStyle = ["#a0cbe8", "#ffbe7d", "#8cd17d", "#d4a6c8"][id % 4];

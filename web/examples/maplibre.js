@@ -33,8 +33,8 @@ export default async function cellsOnMap(container, places, { style = kEmpty } =
   await map.once("load");
 
   // The ids of the features are those of the sites, for setFeatureState.
-  // The tolerance is in radians: 60 m.
-  const cells = diagram.toGeoJSON({ tolerance: 1e-5 });
+  // The tolerance is in kilometres, as the radius.
+  const cells = diagram.voronoi().toGeoJSON({ tolerance: 0.06 });
   map.addSource("cells", { type: "geojson", data: cells });
   map.addLayer({
     id: "cells",

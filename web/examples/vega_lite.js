@@ -42,7 +42,7 @@ class CircleCells extends Transform {
 
     const diagram = Diagram.from(circles);
     const [width, height] = size;
-    const paths = diagram.voronoi([0, 0, width, height], { distance: reach }).renderCells();
+    const paths = diagram.voronoi([0, 0, width, height], { maxDistance: reach }).renderCells();
     for (const [id, item] of pulse.source.entries())
       item[as] = reach === undefined ? paths[id] : (paths[id] ?? "") + circlePath(circles[id]);
     diagram.dispose();

@@ -7,7 +7,7 @@ import { kCities, kCoasts } from "./globe_places.js";
 
 const kRadius = 6371.0088; // km, of the Earth
 const kMostReach = 3000; // km, of the largest city's circle
-const kTolerance = 2e-3; // radians, of the edges: half a pixel here
+const kTolerance = 12; // km, of the edges: half a pixel here
 const kDegree = Math.PI / 180;
 
 type Place = [longitude: number, latitude: number];
@@ -24,25 +24,6 @@ const land = {
   coordinates: kCoasts.map((ring) => ring.split(" ").map((place) => place.split(",").map(Number))),
 };
 
-/** The edges, each once: cells have them twice, there and back. */
-function edgesOf(diagram: SphericalDiagram) {
-  const lines: Place[][] = [];
-  for (const ring of diagram.cellPolygons({ tolerance: kTolerance })) {
-    let line: Place[] | null = null;
-    for (const [k, to] of ring.entries()) {
-      const from = ring[k - 1] ?? to;
-      const isForwards = from[0] < to[0] || (from[0] === to[0] && from[1] < to[1]);
-      if (!isForwards) line = null;
-      else if (line) line.push(to);
-      else {
-        line = [from, to];
-        lines.push(line);
-      }
-    }
-  }
-  return lines;
-}
-
 /** The larger a city, the wider its circle: its head start. */
 function setReach(state: State, reach: number) {
   state.reach = reach;
@@ -54,7 +35,7 @@ function setReach(state: State, reach: number) {
     ([, , , people]) => reach * Math.sqrt(people / kCities[0][3]),
     { radius: kRadius },
   );
-  state.edges = edgesOf(state.diagram);
+  state.edges = state.diagram.voronoi().cellMesh({ tolerance: kTolerance }).coordinates;
 }
 
 /** The place under the pointer; beside the globe, and without one, the middle of the view. */
@@ -105,7 +86,8 @@ export default figure<State>({
     const id = diagram.find(...place);
     pen.circle(x, y, projection.scale(), "sea");
     pen.path(path(land) ?? "", "land");
-    const cell = diagram.cellPolygon(id, { tolerance: kTolerance, winding: "clockwise" });
+    const options = { tolerance: kTolerance, winding: "clockwise" } as const;
+    const cell = diagram.voronoi().cellPolygon(id, options);
     pen.path(path({ type: "Polygon", coordinates: [cell] }) ?? "", "nearestCell");
     pen.path(path({ type: "MultiLineString", coordinates: edges }) ?? "", "edge");
     for (const { id: each, lon, lat, r, hidden } of diagram) {

@@ -52,13 +52,13 @@ export default figure<State>({
     return { diagram: new Diagram(flat(circles)), circles, size, distance: 22, isGrowing: false };
   },
   draw(pen, { diagram, circles, size, distance }) {
-    const grown = diagram.voronoi([0, 0, ...size], { distance });
+    const grown = diagram.voronoi([0, 0, ...size], { maxDistance: distance });
     for (const path of grown.renderCells()) if (path) pen.path(path, "circle");
     for (const [x, y, r] of circles) pen.circle(x, y, r, "rim");
     pen.path(seamsOf(grown), "strongEdge");
   },
   say({ diagram, size, distance }) {
-    const covered = diagram.voronoi([0, 0, ...size], { distance }).cellAreas();
+    const covered = diagram.voronoi([0, 0, ...size], { maxDistance: distance }).cellAreas();
     const share = covered.reduce((sum, area) => sum + area, 0) / (size[0] * size[1]);
     return [
       `Grown by ${distance.toFixed(0)}: `,

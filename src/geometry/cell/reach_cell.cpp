@@ -26,26 +26,18 @@ Point directionAt(double turn) {
 }  // namespace
 
 const Cell& ReachCellClipper::find(Slot site) {
-  return cut(site, reachOf(core_.site(site), reach_.of(core_.ids().idOf(site))), reach_);
-}
-
-const Cell& ReachCellClipper::findWithin(Slot site, double radius) {
-  return cut(site, {radius - core_.site(site).r, radius}, Reach());
-}
-
-const Cell& ReachCellClipper::cut(Slot site, ReachOfSite reach, const Reach& others) {
   const Cell& whole = cells_->find(site);
   if (whole.partCount() == 0) return whole;
   cell_.clear();
-  if (!(reach.radius > 0)) return cell_;
   site_ = core_.site(site);
-  own_ = reach;
+  own_ = reachOf(site_, reach_.of(core_.ids().idOf(site)));
+  if (!(own_.radius > 0)) return cell_;
   center_ = {site_.x, site_.y};
   rings_.clear(center_);
   pieces_.clear();
   exits_.clear();
   entries_.clear();
-  for (std::size_t ring = 0; ring < whole.ringCount(); ++ring) cutRing(whole.ring(ring), others);
+  for (std::size_t ring = 0; ring < whole.ringCount(); ++ring) cutRing(whole.ring(ring));
   if (!entries_.empty()) {
     sortPassages(whole);
   } else if (own_.radius < std::numeric_limits<double>::infinity() && isInside(whole, 0, 4)) {
@@ -58,13 +50,13 @@ const Cell& ReachCellClipper::cut(Slot site, ReachOfSite reach, const Reach& oth
 }
 
 /// What of a ring is inside, and where it leaves the circle and comes back.
-void ReachCellClipper::cutRing(std::span<const BoundaryPiece> ring, const Reach& others) {
+void ReachCellClipper::cutRing(std::span<const BoundaryPiece> ring) {
   const auto begin = static_cast<std::uint32_t>(pieces_.size());
   for (std::uint32_t k = 0; k < ring.size(); ++k) {
     if (ring[k].neighbor == kNoSite) {
       cutBorder(ring[k], k);
     } else {
-      cutEdge(ring[k], k, others);
+      cutEdge(ring[k], k);
     }
   }
   const auto end = static_cast<std::uint32_t>(pieces_.size());
@@ -82,11 +74,10 @@ void ReachCellClipper::cutRing(std::span<const BoundaryPiece> ring, const Reach&
   }
 }
 
-void ReachCellClipper::cutEdge(const BoundaryPiece& piece, std::uint32_t source,
-                               const Reach& others) {
+void ReachCellClipper::cutEdge(const BoundaryPiece& piece, std::uint32_t source) {
   const Site& neighbor = core_.site(core_.ids().slotOf(piece.neighbor));
   const ReachedEdge edge =
-      reachedEdge(site_, own_, neighbor, reachOf(neighbor, others.of(piece.neighbor)), piece.curve);
+      reachedEdge(site_, own_, neighbor, reachOf(neighbor, reach_.of(piece.neighbor)), piece.curve);
   for (std::size_t k = 0; k < edge.count; ++k) {
     const ReachedPiece& reached = edge.pieces[k];
     const bool isFirst = k == 0 && !reached.isFromCut;

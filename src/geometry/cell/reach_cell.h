@@ -33,8 +33,6 @@ class ReachCellClipper final : public CellClipper {
   /// where the circle cuts it.
   const Cell& find(Slot site) override;
   void expectAll() override { cells_->expectAll(); }
-  /// The cell within a radius about the site's centre, whatever other sites reach.
-  const Cell& findWithin(Slot site, double radius);
   [[nodiscard]] double radiusOf(SiteId site) const override {
     return core_.site(core_.ids().slotOf(site)).r + reach_.of(site);
   }
@@ -54,9 +52,8 @@ class ReachCellClipper final : public CellClipper {
     double turn = 0;  // to it, from where counting begins
   };
 
-  const Cell& cut(Slot site, ReachOfSite reach, const Reach& others);
-  void cutRing(std::span<const BoundaryPiece> ring, const Reach& others);
-  void cutEdge(const BoundaryPiece& piece, std::uint32_t source, const Reach& others);
+  void cutRing(std::span<const BoundaryPiece> ring);
+  void cutEdge(const BoundaryPiece& piece, std::uint32_t source);
   void cutBorder(const BoundaryPiece& piece, std::uint32_t source);
   [[nodiscard]] bool isInside(const Cell& whole, double from, double width) const;
   static void sortByTurn(Point start, FlatArray<Passage>& passages);

@@ -131,7 +131,7 @@ async function addWindows(diagram, bytes, random) {
   for (const view of [
     diagram.voronoi([...at(-0.1, -0.1), ...at(1.1, 1.2)]),
     diagram.voronoi([outer, hole]),
-    diagram.voronoi([outer, hole], { distance: reach }),
+    diagram.voronoi([outer, hole], { maxDistance: reach }),
     diagram.voronoi([outer, hole], { project }),
   ]) {
     const ids = diagram.ids().subarray(0, 40);
@@ -144,7 +144,7 @@ async function addWindows(diagram, bytes, random) {
       view.cellPerimeters(),
       view.cellAreas(),
       Array.from({ length: 10 }, (_, k) =>
-        answered(() => view.naturalWeights(points[2 * k], points[2 * k + 1], k)),
+        answered(() => view.naturalWeights(points[2 * k], points[2 * k + 1], { r: k })),
       ),
       view.interpolate(values, points),
       await view.interpolateAsync(values, points, { r: 1 }),
@@ -187,7 +187,9 @@ async function addSphere({ SphericalDiagram }, bytes) {
     [globe.edges({ clearance: true }), globe.triangulation()],
     [globe.nearestMany(points), globe.pickMany(points)],
     [globe.kNearestMany(points, 4, { distances: true }), globe.withinMany(points, 900)],
-    [globe.largestEmptyCircle(), globe.emptyCircles(12), globe.interpolate(values, points)],
+    [globe.voronoi().largestEmptyCircle(), globe.voronoi().emptyCircles(12)],
+    [globe.voronoi().interpolate(values, points), globe.voronoi().cellMesh()],
+    await globe.voronoi().interpolateAsync(values, points, { r: 1 }),
     globe.toBytes(),
   ]);
   for (let k = 0; k < 30; ++k) {
@@ -195,26 +197,28 @@ async function addSphere({ SphericalDiagram }, bytes) {
     bytes.add([
       [globe.find(...place), globe.nearest(...place), globe.farthest(...place)],
       [globe.kNearest(...place, 5), globe.within(...place, 2000), globe.pick(...place)],
-      globe.naturalWeights(...place, 10 * k),
+      globe.voronoi().naturalWeights(...place, { r: 10 * k }),
     ]);
   }
-  for (const distance of [Infinity, 400]) {
-    bytes.add([globe.cellAreas({ distance }), globe.cellPerimeters({ distance })]);
-    bytes.add([globe.toGeoJSON({ distance }), [...globe.cellPolygons({ distance })]]);
-    bytes.add(globe.toGeoJSON({ distance, antimeridian: "keep", tolerance: 1e-3 }));
+  for (const maxDistance of [Infinity, 400, (id) => 10 * id]) {
+    const view = globe.voronoi({ maxDistance });
+    bytes.add([view.cellAreas(), view.cellCentroids(), view.cellPerimeters()]);
+    bytes.add([view.toGeoJSON(), [...view.cellPolygons()]]);
+    bytes.add([view.toGeoJSON({ antimeridian: "keep", tolerance: 6 }), String(view)]);
+    bytes.add([view.vertices(), view.edges()]);
     for (const id of ids.subarray(0, 40))
       bytes.add([
         [globe.site(id), globe.isHidden(id), globe.coverOf(id), globe.neighbors(id)],
-        [globe.cellArea(id, { distance }), globe.cellPerimeter(id, { distance })],
-        [globe.cellCentroid(id, { distance }), globe.cellPolygon(id, { distance })],
-        globe.contains(id, ...somewhere(), { distance }),
+        [view.cellArea(id), view.cellPerimeter(id), view.cellMeasures(id)],
+        [view.cellCentroid(id), view.cellPolygon(id), view.cellGeometry(id)],
+        [view.contains(id, ...somewhere()), view.neighbors(id)],
       ]);
   }
   for (const few of [
     [5, 6, 0.7],
     [5, 6, 0.7, -100, 60, 0.3],
   ])
-    bytes.add(new SphericalDiagram(few).emptyCircles(5));
+    bytes.add(new SphericalDiagram(few).voronoi().emptyCircles(5));
   globe.clear();
   globe.dispose();
 }
@@ -313,6 +317,7 @@ function outputs(diagram, bytes, random, curvePoint, curveTangent) {
     polygons: [...voronoi.cellPolygons({ tolerance })],
     flat: [...voronoi.cellPolygons({ tolerance, flat: true })],
     geo: voronoi.toGeoJSON({ tolerance }),
+    mesh: voronoi.cellMesh({ tolerance }),
   });
   for (const id of ids.slice(0, 60)) {
     bytes.add([
@@ -324,8 +329,7 @@ function outputs(diagram, bytes, random, curvePoint, curveTangent) {
       voronoi.cellCentroid(id),
       voronoi.cellPerimeter(id),
       voronoi.cellMeasures(id),
-      voronoi.cellWithin(id, width / 20),
-      voronoi.cellWithin(id, Infinity),
+      voronoi.cellGeometry(id),
       voronoi.neighbors(id),
       voronoi.contains(id, ...somewhere()),
     ]);

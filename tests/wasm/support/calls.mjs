@@ -296,10 +296,14 @@ export const diagramCalls = {
     use: (d) => d.voronoi(),
     refuses: [
       ...window((d, box) => d.voronoi(box)),
-      ...number("distance", (d, distance) => d.voronoi(bounds, { distance })),
-      ["bad-length", (d) => d.voronoi(bounds, { distance: [1] }), "distance has 1 elements"],
-      ["unknown-site", (d) => d.voronoi(bounds, { distance: { [NONE]: 1 } }), "site 1000 does not"],
-      ["bad-option", (d) => d.voronoi(bounds, { distance: {} }), "distance has none for site"],
+      ...number("options.maxDistance", (d, maxDistance) => d.voronoi(bounds, { maxDistance })),
+      [
+        "bad-bounds",
+        (d) => d.voronoi({ x: 0, y: 0, r: 0 }),
+        "r of the disc is 0, expected a number",
+      ],
+      ["bad-bounds", (d) => d.voronoi({ x: 0, y: 0, r: "1" }), 'r of the disc is the string "1"'],
+      ["bad-bounds", (d) => d.voronoi({ x: 0, r: 1 }), "y of the disc is undefined"],
       ["bad-option", (d) => d.voronoi(bounds, { project: 7 }), "options.project is 7, expected"],
       ["bad-option", (d) => d.voronoi(bounds, { reach: 7 }), "options.reach is unknown"],
     ],
@@ -393,6 +397,26 @@ export const voronoiCalls = {
       ],
     ],
   },
+  cellGeometry: {
+    use: inWindow((v) => v.cellGeometry(0)),
+    refuses: [
+      ...id(inWindow((v, site) => v.cellGeometry(site))),
+      ...[tolerance, unknownOption].flatMap((wrong) =>
+        wrong(inWindow((v, options) => v.cellGeometry(0, options))),
+      ),
+      [
+        "bad-option",
+        inWindow((v) => v.cellGeometry(0, { winding: "cw" })),
+        'options.winding is the string "cw", expected "counter-clockwise" or "clockwise"',
+      ],
+    ],
+  },
+  cellMesh: {
+    use: inWindow((v) => v.cellMesh()),
+    refuses: [tolerance, unknownOption].flatMap((wrong) =>
+      wrong(inWindow((v, options) => v.cellMesh(options))),
+    ),
+  },
   contains: {
     use: inWindow((v) => v.contains(0, 0, 0)),
     refuses: [
@@ -409,7 +433,7 @@ export const voronoiCalls = {
   },
   neighbors: ofCell("neighbors"),
   naturalWeights: {
-    use: inWindow((v) => v.naturalWeights(7, 7, 1)),
+    use: inWindow((v) => v.naturalWeights(7, 7, { r: 1 })),
     refuses: [
       ...number(
         "x",
@@ -420,9 +444,10 @@ export const voronoiCalls = {
         inWindow((v, y) => v.naturalWeights(0, y)),
       ),
       ...number(
-        "r",
-        inWindow((v, r) => v.naturalWeights(0, 0, r)),
+        "options.r",
+        inWindow((v, r) => v.naturalWeights(0, 0, { r })),
       ),
+      ["bad-option", inWindow((v) => v.naturalWeights(0, 0, 1)), "options is 1, expected { r }"],
     ],
   },
   interpolate: {
@@ -490,18 +515,6 @@ export const voronoiCalls = {
   cellCentroid: ofCell("cellCentroid"),
   cellPerimeter: ofCell("cellPerimeter"),
   cellMeasures: ofCell("cellMeasures"),
-  cellWithin: {
-    use: inWindow((v) => v.cellWithin(0, 5)),
-    refuses: [
-      ...id(inWindow((v, site) => v.cellWithin(site, 5))),
-      ...number(
-        "radius",
-        inWindow((v, radius) => v.cellWithin(0, radius)),
-      ),
-      ["out-of-range", inWindow((v) => v.cellWithin(0, -1)), "radius is -1"],
-      ["not-finite", inWindow((v) => v.cellWithin(0, -Infinity)), "radius is -Infinity"],
-    ],
-  },
   cellAreas: works(inWindow((v) => v.cellAreas())),
   fitAreas: {
     use: (d) => fitBy("fitAreas")(d),

@@ -6,8 +6,9 @@ import { packed } from "./install_packed.mjs";
 
 const consumer = `
 import {
-  ApolloniusError, Diagram, Voronoi, curvePoint, load,
-  type AreaTargets, type CellPolygon, type CellPart, type CellRing, type ErrorCode,
+  ApolloniusError, Diagram, curvePoint, load,
+  type AreaTargets, type CellGeometry, type CellMesh, type CellPolygon, type CellRing,
+  type Disc, type ErrorCode, type Voronoi, type WindowShape,
   type FittedAreas, type PolygonOptions, type Region, type Site,
 } from "apollonius-diagram";
 await0(load());
@@ -94,9 +95,23 @@ const either: CellRing | null = view.cellPolygon(0, options);
 for (const cell of view.cellPolygons()) cell.map(([x, y]) => x + y + cell.index);
 for (const cell of view.cellPolygons({ flat: true })) cell.subarray(cell.index);
 const firstCell: CellPolygon | undefined = [...view.cellPolygons({ flat: false })][0];
-const regions: CellPart[] = view.cellParts(0) ?? [];
+const regions: [number, number][][][] = view.cellParts(0) ?? [];
 const holes: Float64Array[] = (view.cellParts(0, { flat: true }) ?? []).flatMap(
-  (region) => region.holes);
+  ([, ...rings]) => rings);
+const disc: Disc = { x: 0, y: 0, r: 5 };
+const shapes: WindowShape[] = [[0, 0, 1, 1], disc, polygon];
+// @ts-expect-error: a disc has an r
+diagram.voronoi({ x: 0, y: 0, radius: 5 });
+const geometry: CellGeometry | null = view.cellGeometry(0, { winding: "clockwise" });
+const mesh: CellMesh = view.cellMesh({ tolerance: 1 });
+const area: number = view.cellArea(0) + view.cellMeasures(0).area;
+const limited: Voronoi[] = [5, [5], new Map([[0, 5]]), { 0: 5 }, (id: number) => id].map(
+  (maxDistance) => diagram.voronoi(shapes[0], { maxDistance }));
+// @ts-expect-error: a type, no constructor
+new Voronoi(diagram);
+// @ts-expect-error: r is an option
+view.naturalWeights(0, 0, 1);
+view.naturalWeights(0, 0, { r: 1 });
 const windows: Region[] = [
   polygon, feature, regions, regions[0]!, holes, view.toGeoJSON(), ring ?? [],
 ];
@@ -126,7 +141,7 @@ declare const context: CanvasRenderingContext2D | null | undefined;
 const path: string | void = view.render(context);
 const sides: string = view.renderBounds(null, { digits: 2 });
 export { nearest, ids, code, wrong, early, flat, notFlat, either, firstCell, outcome, later };
-export { path, point, sides };
+export { path, point, sides, geometry, mesh, area, limited };
 `;
 // needs TypeScript 5.2 and its library
 const using = "{ using scoped = new Diagram([0, 0, 1]); scoped.size; }\n";

@@ -18,7 +18,7 @@ export function checkedFilter(filter: unknown): Filter | undefined {
   );
 }
 
-/** What `ask` says, which may call filters. */
+/** What `ask` says, which may call filters and other functions of the caller's. */
 export function filtering<Answer>(filters: Filters, ask: () => Answer): Answer {
   ++filters.running;
   try {

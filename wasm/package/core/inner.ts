@@ -5,7 +5,7 @@ import type { Ballast } from "./native/lifetime.js";
 import type { AnyNative, NativeDiagram } from "./native/module.js";
 import { plane, type Space } from "./space.js";
 
-/** How many filter callbacks are running: none may change the diagram. */
+/** How many filters and other functions of callers are running: none may change the diagram. */
 export interface Filters {
   running: number;
 }
@@ -30,15 +30,18 @@ export function provideInner(accessor: Access): void {
 
 /**
  * The inside of the object that a method is called on. Throws "bad-option" if that is no diagram,
- * "disposed" after dispose(), and "busy" if the call `changes` the diagram while one of its filters
- * runs.
+ * "disposed" after dispose(), and "busy" if the call `changes` the diagram while a function that it
+ * asks runs.
  */
 export function innerOf(diagram: unknown, changes = false): Inner {
   const inner = access(diagram);
   if (inner === undefined) throw wrongReceiver(diagram);
   if (inner === null) throw new ApolloniusError("disposed", "the diagram has been disposed of");
   if (changes && inner.filters.running > 0)
-    throw new ApolloniusError("busy", "a filter may not change the diagram that asks it");
+    throw new ApolloniusError(
+      "busy",
+      "a filter may not change the diagram that asks it, nor may maxDistance",
+    );
   return inner;
 }
 

@@ -1,7 +1,14 @@
 // The names of shapes that the entries `apollonius-diagram` and `apollonius-diagram/shapes` share.
 export { curvePoint, curveTangent } from "./curves.js";
-export type { CellsCollection, GeoJSONOptions } from "./geojson.js";
-export type { GeoJSONRegion, Region, Ring } from "./region.js";
+export type {
+  CellGeometry,
+  CellMesh,
+  CellsCollection,
+  GeoJSONOptions,
+  GeometryOptions,
+  Winding,
+} from "./geojson.js";
+export type { Disc, GeoJSONRegion, Region, Ring, WindowShape } from "./region.js";
 export type {
   AreaTargets,
   AsyncFitOptions,
@@ -9,7 +16,6 @@ export type {
   CellCircle,
   CellCircleOptions,
   CellCurves,
-  CellPart,
   CellPolygon,
   CellRing,
   DualOptions,
@@ -24,6 +30,7 @@ export type {
   FittedAreas,
   FlatOptions,
   InterpolationOptions,
+  MaxDistance,
   Measures,
   NaturalWeights,
   NestedOptions,
@@ -31,7 +38,8 @@ export type {
   PolygonOptions,
   Projection,
   VerticesInside,
+  ViewOptions,
   VoronoiOptions,
   VoronoiWindow,
 } from "./types.js";
-export { Voronoi } from "./voronoi.js";
+export type { Voronoi } from "./voronoi.js";

@@ -1,7 +1,7 @@
 // What the library says of a cell, in the form that callers get.
 import type { CellMeasures, CoverageArrays, RingArrays } from "../../../build/wasm/apollonius.mjs";
 import { positionsOf } from "./geojson.js";
-import type { CellPart, CellRing, Measures } from "./types.js";
+import type { CellRing, Measures } from "./types.js";
 
 /** The rings of a cell, one after the other, and what they become. */
 export interface Rings extends RingArrays {
@@ -32,21 +32,13 @@ export function ringOf(
   return joined({ isFlat, coordinates: ring, starts: own })!;
 }
 
-export function partsOf({
-  isFlat,
-  coordinates,
-  starts,
-  parts,
-}: Rings): CellPart<CellRing>[] | null {
+export function partsOf({ isFlat, coordinates, starts, parts }: Rings): CellRing[][] | null {
   if (starts.length < 2) return null;
   const rings = Array.from(starts.subarray(1), (end, k): CellRing => {
     const ring = coordinates.slice(2 * (starts[k] as number), 2 * end);
     return isFlat ? ring : positionsOf(ring);
   });
-  return Array.from(parts.subarray(1), (end, k) => {
-    const [outer, ...holes] = rings.slice(parts[k], end) as [CellRing, ...CellRing[]];
-    return Object.assign(outer, { holes });
-  });
+  return Array.from(parts.subarray(1), (end, k) => rings.slice(parts[k], end));
 }
 
 export function measuresOf(measures: CellMeasures): Measures {

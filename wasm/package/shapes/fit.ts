@@ -163,11 +163,7 @@ function begin(
   given: AreaTargets,
   start: ArrayLike<number>,
 ): Fitting {
-  if (windowNow()[1] !== null)
-    throw new ApolloniusError(
-      "bad-option",
-      "fitAreas is for cells that fill the window, not for those that end at a distance",
-    );
+  windowNow(); // throws for cells that do not fill it
   const targets = numbersById(native, "targets", given, "bad-target");
   const weights = checkedNumbers("start", start, 1);
   if (weights.length > 0) checkLength(native, "start", weights, "");

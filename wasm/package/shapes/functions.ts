@@ -4,10 +4,10 @@ import type { Diagram } from "../core/diagram.js";
 import { nativeOf } from "../core/inner.js";
 import { shapesOf } from "../core/native/module.js";
 import type { DrawOptions, PathContext } from "../core/path.js";
-import type { Bounds, Edges } from "../core/types.js";
+import type { Edges } from "../core/types.js";
 import { drawDual, drawWhole } from "./drawing.js";
 import { isWithClearance, narrowestOf } from "./edges.js";
-import type { Region } from "./region.js";
+import type { WindowShape } from "./region.js";
 import type {
   DualOptions,
   EdgeOptions,
@@ -23,7 +23,7 @@ import { Voronoi } from "./voronoi.js";
  */
 export function voronoi(
   diagram: Diagram,
-  window: Bounds | Region = [0, 0, 960, 500],
+  window: WindowShape = [0, 0, 960, 500],
   options?: VoronoiOptions,
 ): Voronoi {
   return Voronoi.of(diagram, window, options);

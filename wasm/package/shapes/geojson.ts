@@ -1,21 +1,38 @@
 // Cells as GeoJSON (RFC 7946).
 import type { CoverageArrays } from "../../../build/wasm/apollonius.mjs";
-import { checkedChoice, checkOptions, described } from "../core/arguments.js";
+import { checkedChoice, described } from "../core/arguments.js";
 import type { Position } from "../core/types.js";
 import { ApolloniusError } from "../errors.js";
 
-/** Options of `toGeoJSON`. */
-export interface GeoJSONOptions<Properties> {
+/** Options of `cellGeometry`. */
+export interface GeometryOptions {
   /** As in `DrawOptions`. */
   tolerance?: number | undefined;
-  /** Gives the properties of a site's feature; by default they are { site: id }. */
-  properties?: ((id: number) => Properties) | undefined;
   /**
    * How outer rings run, y upwards, and holes the other way round: "counter-clockwise" (default),
    * as RFC 7946 has it; "clockwise" for tools that work on the sphere, such as d3-geo, to which a
    * ring the other way round is everything but the cell.
    */
   winding?: Winding | undefined;
+}
+
+/** Options of `toGeoJSON`. */
+export interface GeoJSONOptions<Properties> extends GeometryOptions {
+  /** Gives the properties of a site's feature; by default they are { site: id }. */
+  properties?: ((id: number) => Properties) | undefined;
+}
+
+/** A cell as a geometry of GeoJSON. */
+export type CellGeometry =
+  | { type: "Polygon"; coordinates: Position[][] }
+  | { type: "MultiPolygon"; coordinates: Position[][][] };
+
+/** The borders between cells as a geometry of GeoJSON, a line for each edge. */
+export interface CellMesh {
+  /** GeoJSON's name of it. */
+  type: "MultiLineString";
+  /** The points of each line. */
+  coordinates: Position[][];
 }
 
 /** GeoJSON (RFC 7946) of cells; the id of each feature is its site's. */
@@ -27,9 +44,7 @@ export interface CellsCollection<Properties = { site: number }> {
     type: "Feature";
     id: number;
     properties: Properties;
-    geometry:
-      | { type: "Polygon"; coordinates: Position[][] }
-      | { type: "MultiPolygon"; coordinates: Position[][][] };
+    geometry: CellGeometry;
   }[];
 }
 
@@ -58,38 +73,75 @@ export function checkedWinding(winding: unknown): Winding {
   return checkedChoice("options.winding", winding, ["counter-clockwise", "clockwise"]);
 }
 
-/** @internal `polygonsOf` gives those of all cells, within a tolerance. */
-export function collectionOf<Properties>(
-  polygonsOf: (tolerance: number | undefined) => CoverageArrays,
-  options: GeoJSONOptions<Properties> | undefined,
-): CellsCollection<Properties> {
-  checkOptions(options, "tolerance", "properties", "winding");
-  const properties = checkedProperties<Properties>(options?.properties);
-  const winding = checkedWinding(options?.winding);
-  return featuresOf(polygonsOf(options?.tolerance), properties, winding);
-}
-
-/** @internal One feature a cell. */
-export function featuresOf<Properties>(
-  { coordinates, starts, parts, sites, cells }: CoverageArrays,
-  properties: (id: number) => Properties,
+/** @internal The k-th of several cells. */
+export function geometryOf(
+  { coordinates, starts, parts, cells }: CoverageArrays,
+  k: number,
   winding: Winding,
-): CellsCollection<Properties> {
+): CellGeometry {
   const ringAt = (k: number) => {
     const ring = positionsOf(coordinates, starts[k], starts[k + 1]);
     return winding === "clockwise" ? ring.reverse() : ring;
   };
   const partAt = (k: number) =>
     Array.from({ length: parts[k + 1]! - parts[k]! }, (_, n) => ringAt(parts[k]! + n));
-  const features = Array.from(sites, (id, k) => {
-    const polygons = Array.from({ length: cells[k + 1]! - cells[k]! }, (_, n) =>
-      partAt(cells[k]! + n),
-    );
-    const geometry =
-      polygons.length === 1
-        ? { type: "Polygon" as const, coordinates: polygons[0] as Position[][] }
-        : { type: "MultiPolygon" as const, coordinates: polygons };
+  const polygons = Array.from({ length: cells[k + 1]! - cells[k]! }, (_, n) =>
+    partAt(cells[k]! + n),
+  );
+  return polygons.length === 1
+    ? { type: "Polygon", coordinates: polygons[0] as Position[][] }
+    : { type: "MultiPolygon", coordinates: polygons };
+}
+
+/** @internal One feature a cell. */
+export function featuresOf<Properties>(
+  polygons: CoverageArrays,
+  properties: (id: number) => Properties,
+  winding: Winding,
+): CellsCollection<Properties> {
+  const features = Array.from(polygons.sites, (id, k) => {
+    const geometry = geometryOf(polygons, k, winding);
     return { type: "Feature" as const, id, properties: properties(id), geometry };
   });
   return { type: "FeatureCollection", features };
+}
+
+/** @internal What is a side of two cells, which have its points in common; a line for each edge. */
+export function meshOf({ coordinates, starts, parts, cells }: CoverageArrays): CellMesh {
+  const keyOf = (...ends: [from: number, to: number]) =>
+    ends.map((k) => `${coordinates[2 * k]},${coordinates[2 * k + 1]}`).join();
+  const owners = new Map<string, number>(); // cells, by their sides
+  const visitRings = (visit: (cell: number, first: number, last: number) => void) => {
+    for (let cell = 0; cell + 1 < cells.length; ++cell)
+      for (let ring = parts[cells[cell]!]!; ring < parts[cells[cell + 1]!]!; ++ring)
+        visit(cell, starts[ring]!, starts[ring + 1]! - 1);
+  };
+  visitRings((cell, first, last) => {
+    for (let k = first; k < last; ++k) owners.set(keyOf(k, k + 1), cell);
+  });
+  const lines: Position[][] = [];
+  visitRings((cell, first, last) => {
+    // Of each side: the cell beyond, if that comes later.
+    const beyond = Array.from({ length: last - first }, (_, k) => {
+      const other = owners.get(keyOf(first + k + 1, first + k));
+      return other !== undefined && other > cell ? other : -1;
+    });
+    // An edge may go on where the ring is closed.
+    const start = Math.max(
+      beyond.findIndex((other, k) => other !== beyond.at(k - 1)),
+      0,
+    );
+    let before = -1;
+    for (let n = 0; n < beyond.length; ++n) {
+      const k = (start + n) % beyond.length;
+      const other = beyond[k]!;
+      if (other !== -1) {
+        const side = positionsOf(coordinates, first + k, first + k + 2);
+        if (other === before) lines.at(-1)!.push(side[1]!);
+        else lines.push(side);
+      }
+      before = other;
+    }
+  });
+  return { type: "MultiLineString", coordinates: lines };
 }

@@ -1,102 +1,141 @@
-// Natural neighbours of one place, and values interpolated by them at many.
-import { allocated, checkedNumbers, checkNumber, checkOptions } from "../core/arguments.js";
+// Natural neighbours of one place, and values interpolated by them at many: of views of the plane
+// and of the sphere.
+import { allocated, checkedNumbers, checkOptions } from "../core/arguments.js";
 import { Slices } from "../core/building.js";
-import type { NativeShapes } from "../core/native/module.js";
-import { ofElements } from "../core/native/native_errors.js";
-import { atSite, plane } from "../core/space.js";
+import type { Inner } from "../core/inner.js";
+import type { AnyNative } from "../core/native/module.js";
+import { atPoint, ofItems } from "../core/space.js";
 import { ApolloniusError } from "../errors.js";
 import { numbersById } from "./by_id.js";
-import type { NativeWindow } from "./drawing.js";
+import { isWithin, type Limits, limitOf, limitsOf } from "./limits.js";
 import type {
   AsyncInterpolationOptions,
   InterpolationOptions,
+  MaxDistance,
   NaturalWeights,
   NumbersById,
 } from "./types.js";
 
 const kPoints = 1024; // interpolated between two looks at the clock
 
-/** null without sites, or if the new cell is outside of the window. */
-export function naturalWeights(
-  native: NativeShapes,
-  window: NativeWindow,
-  x: number,
-  y: number,
-  r: number,
-): NaturalWeights | null {
-  const { ids, weights } = atSite({ native, space: plane }, x, y, r, () =>
-    native.naturalWeights(...window, x, y, r),
-  );
-  return ids.length === 0 ? null : { ids, weights };
+/** What a view tells those who interpolate. */
+export interface Asked<Native extends AnyNative> {
+  /** How far its cells reach. */
+  readonly limit: MaxDistance;
+  /** Asked again after each look at the caller's objects, which can do anything, as dispose. */
+  innerNow(): Inner<Native>;
+  weights(native: Native, x: number, y: number, r: number): NaturalWeights;
+  /** A value for each point. */
+  values(
+    native: Native,
+    known: ArrayLike<number>,
+    points: ArrayLike<number>,
+    r: number,
+  ): Float64Array;
 }
 
-export function interpolate(
-  native: NativeShapes,
-  windowNow: () => NativeWindow,
+/** The weight of the new sites. */
+function weightOf({ native, space }: Inner, options: InterpolationOptions | undefined): number {
+  const r = options?.r ?? 0;
+  const error = space.error("options.r", 2, r, native);
+  if (error) throw error;
+  return r;
+}
+
+/** null without sites, where a new cell would have no part, and beyond the reach of cells. */
+export function naturalWeights<Native extends AnyNative>(
+  { limit, innerNow, weights }: Asked<Native>,
+  x: number,
+  y: number,
+  options: InterpolationOptions | undefined,
+): NaturalWeights | null {
+  innerNow();
+  checkOptions(options, "r");
+  const inner = innerNow();
+  const r = weightOf(inner, options);
+  const found = atPoint(inner, x, y, (native) => weights(native, x, y, r));
+  if (found.ids.length === 0) return null;
+  if (limit === Infinity) return found;
+  const most = limitOf(inner, limit, inner.native.find(x, y));
+  return isWithin(inner.native, most, x, y) ? found : null;
+}
+
+export function interpolate<Native extends AnyNative>(
+  asked: Asked<Native>,
   values: NumbersById,
-  xy: ArrayLike<number>,
+  points: ArrayLike<number>,
   options: InterpolationOptions | undefined,
 ): Float64Array {
+  const { native, space } = asked.innerNow();
   checkOptions(options, "r");
   const known = numbersById(native, "values", values, "bad-length");
-  const field = new Field(native, windowNow, known, options);
-  return field.at(checkedNumbers("xy", xy, 2));
+  const field = new Field(asked, known, options);
+  return field.at(checkedNumbers(space.points, points, 2));
 }
 
 /** The same, with a turn of the event loop between some thousand points. */
-export async function interpolateAsync(
-  native: NativeShapes,
-  windowNow: () => NativeWindow,
+export async function interpolateAsync<Native extends AnyNative>(
+  asked: Asked<Native>,
   values: NumbersById,
-  xy: ArrayLike<number>,
+  points: ArrayLike<number>,
   options: AsyncInterpolationOptions | undefined,
 ): Promise<Float64Array> {
+  const { native, space } = asked.innerNow();
   checkOptions(options, "r", "signal", "onProgress");
   const slices = new Slices(options ?? {});
   // Copies, as the caller's arrays may change meanwhile.
   const known = Float64Array.from(numbersById(native, "values", values, "bad-length"));
-  const field = new Field(native, windowNow, known, options);
-  const points = Float64Array.from(checkedNumbers("xy", xy, 2));
-  const results = allocated(() => new Float64Array(points.length / 2));
+  const field = new Field(asked, known, options);
+  const all = Float64Array.from(checkedNumbers(space.points, points, 2));
+  const results = allocated(() => new Float64Array(all.length / 2));
   for (let from = 0; from < results.length; from += kPoints) {
     if (slices.isOver) await slices.next(from / results.length);
-    results.set(field.at(points.subarray(2 * from, 2 * (from + kPoints))), from);
+    results.set(field.at(all.subarray(2 * from, 2 * (from + kPoints))), from);
   }
   await slices.next(1);
   return results;
 }
 
 /** Values by id, of a diagram as long as that stays as it is. */
-class Field {
-  readonly #native: NativeShapes;
-  readonly #windowNow: () => NativeWindow;
-  readonly #values: ArrayLike<number>;
+class Field<Native extends AnyNative> {
+  readonly #asked: Asked<Native>;
+  readonly #known: ArrayLike<number>;
   readonly #r: number;
+  readonly #limits: Limits;
   readonly #revision: number;
 
   constructor(
-    native: NativeShapes,
-    windowNow: () => NativeWindow,
-    values: ArrayLike<number>,
+    asked: Asked<Native>,
+    known: ArrayLike<number>,
     options: InterpolationOptions | undefined,
   ) {
-    this.#native = native;
-    this.#windowNow = windowNow;
-    this.#r = options?.r ?? 0;
-    checkNumber("options.r", this.#r);
-    this.#values = values;
-    this.#revision = native.revision();
+    const inner = asked.innerNow();
+    this.#asked = asked;
+    this.#known = known;
+    this.#r = weightOf(inner, options);
+    this.#limits = limitsOf(inner, asked.limit);
+    this.#revision = inner.native.revision();
   }
 
   /** Throws "busy" if the diagram has changed. */
   at(points: ArrayLike<number>): Float64Array {
-    const window = this.#windowNow();
-    if (this.#native.revision() !== this.#revision)
+    const inner = this.#asked.innerNow();
+    const { native } = inner;
+    if (native.revision() !== this.#revision)
       throw new ApolloniusError("busy", "the diagram has changed meanwhile");
+    let results: Float64Array;
     try {
-      return this.#native.interpolate(...window, this.#values, points, this.#r);
+      results = this.#asked.values(native, this.#known, points, this.#r);
     } catch (error) {
-      throw ofElements(error, "xy", points);
+      throw ofItems(error, inner, points, 2);
     }
+    const limits = this.#limits;
+    if (limits === Infinity || native.size() === 0) return results;
+    for (let k = 0; k < results.length; ++k) {
+      const [x, y] = [points[2 * k]!, points[2 * k + 1]!];
+      const most = typeof limits === "number" ? limits : limits[native.find(x, y)]!;
+      if (!isWithin(native, most, x, y)) results[k] = NaN;
+    }
+    return results;
   }
 }

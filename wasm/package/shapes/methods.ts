@@ -2,7 +2,7 @@
 // that of `apollonius-diagram/core`, which is the same class.
 import { Diagram as Core } from "../core/diagram.js";
 import type { DrawOptions, PathContext } from "../core/path.js";
-import type { Bounds, Edges } from "../core/types.js";
+import type { Edges } from "../core/types.js";
 import {
   edges,
   render,
@@ -11,7 +11,7 @@ import {
   smallestEnclosingCircle,
   voronoi,
 } from "./functions.js";
-import type { Region } from "./region.js";
+import type { WindowShape } from "./region.js";
 import type {
   DualOptions,
   EdgeOptions,
@@ -27,11 +27,11 @@ declare module "../core/diagram.js" {
 
     /**
      * The cells inside a window: a view, always of the diagram as it is now. The default window is
-     * d3-delaunay's, 960 x 500. A window of any shape is rings or GeoJSON (`Region`). Cost: O(1),
-     * or O(m log m) for a region of m points. Throws "bad-bounds", "bad-option"; of distances
-     * "not-finite", "out-of-range", "bad-length", "unknown-site".
+     * d3-delaunay's, 960 x 500. A window of any shape is rings or GeoJSON (`Region`), or a disc
+     * { x, y, r }. Cost: O(1), or O(m log m) for a region of m points. Throws "bad-bounds",
+     * "bad-option"; of a maxDistance "not-finite", "out-of-range".
      */
-    voronoi(window?: Bounds | Region, options?: VoronoiOptions): Voronoi;
+    voronoi(window?: WindowShape, options?: VoronoiOptions): Voronoi;
 
     /**
      * All Voronoi edges; with `clearance` also the smallest clearance on each, and where that is.

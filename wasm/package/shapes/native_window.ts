@@ -2,7 +2,6 @@
 import { keep } from "../core/native/lifetime.js";
 import type { NativeReach, NativeRegion, NativeShapes } from "../core/native/module.js";
 import { ApolloniusError } from "../errors.js";
-import { type Distances, withDistances } from "./distances.js";
 
 /** A region in the diagram's instance of the module, that lives as long as its owner. */
 export function createRegion(
@@ -25,16 +24,9 @@ export function createRegion(
   return native;
 }
 
-/** How far cells reach: one distance for all, or an array by id. Lives as long as its owner. */
-export function createReach(
-  owner: object,
-  diagram: NativeShapes,
-  distance: Distances,
-): NativeReach {
-  const native = withDistances(
-    distance,
-    (distances, isById) => diagram.reach(distances, isById) as NativeReach,
-  );
+/** How far all cells reach. Lives as long as its owner. */
+export function createReach(owner: object, diagram: NativeShapes, limit: number): NativeReach {
+  const native = diagram.reach([limit], []) as NativeReach;
   keep(owner, native);
   return native;
 }

@@ -1,5 +1,6 @@
 // Windows of any shape, as callers give them: rings of points, flat rings, GeoJSON.
 import { described, isArrayLike, numberError, plainView } from "../core/arguments.js";
+import type { Bounds } from "../core/types.js";
 import { ApolloniusError } from "../errors.js";
 
 /** A point; further numbers (heights) are ignored. */
@@ -26,7 +27,23 @@ export type GeoJSONRegion =
  * whatever their directions: holes and islands are rings like any other. Rings may cross and touch
  * themselves and each other, repeat points, and overlap, where they cancel.
  */
-export type Region = Ring | ArrayLike<Ring> | GeoJSONRegion;
+export type Region = Ring | ArrayLike<Ring> | ArrayLike<ArrayLike<Ring>> | GeoJSONRegion;
+
+/** A disc: its centre and its radius, > 0. */
+export interface Disc {
+  /** Of the centre. */
+  readonly x: number;
+  /** Of the centre. */
+  readonly y: number;
+  /** Radius, > 0. */
+  readonly r: number;
+}
+
+/**
+ * What a window can be: bounds; a region; or a disc, which is the polygon of 512 points on its
+ * circle.
+ */
+export type WindowShape = Bounds | Region | Disc;
 
 /** Rings for the library: all points, and the first of each ring, and their number. */
 export interface FlatRings {
@@ -38,31 +55,56 @@ export interface FlatRings {
 /** What may be bounds with its elements as they are now: getters may say something else later. */
 export function readOnce<Window>(window: Window): Window | unknown[] {
   if (!isArrayLike(window) || window.length !== 4) return window;
-  const { holes } = window as { holes?: unknown }; // of a ring of four points
-  return Object.assign(
-    [0, 1, 2, 3].map((k) => window[k]),
-    holes === undefined ? {} : { holes },
-  );
+  return [0, 1, 2, 3].map((k) => window[k]);
 }
 
 /** Is it to be read as a window of any shape, rather than as bounds? */
 export function isRegion(window: unknown): boolean {
   if (isArrayLike(window))
     return isArrayLike(window[0]) || (window.length >= 6 && typeof window[0] === "number");
-  return typeof window === "object" && window !== null && "type" in window;
+  return typeof window === "object" && window !== null && ("type" in window || "r" in window);
 }
 
 /** The rings of a region; throws "bad-bounds", naming ring and point. */
 export function checkedRings(region: unknown): FlatRings {
   const coordinates: number[] = [];
   const starts = [0];
-  addRings(ringsOf(region), coordinates, starts, 0);
+  addRings(ringOfDisc(region) ?? ringsOf(region), coordinates, starts, 0);
   if (starts.length === 1) throw bad("the region has no rings");
   return { coordinates: Float64Array.from(coordinates), starts: Uint32Array.from(starts) };
 }
 
 function bad(message: string): ApolloniusError {
   return new ApolloniusError("bad-bounds", message);
+}
+
+/** The circle of a disc as a ring; undefined if it is none. Throws "bad-bounds". */
+function ringOfDisc(disc: unknown): [number, number][] | undefined {
+  if (typeof disc !== "object" || disc === null || isArrayLike(disc) || !("r" in disc))
+    return undefined;
+  const { x, y, r } = disc as unknown as Disc;
+  for (const [name, value] of Object.entries({ x, y, r })) {
+    const error = numberError(`${name} of the disc`, value);
+    if (error) throw bad(error.message);
+  }
+  if (!(r > 0)) throw bad(`r of the disc is ${r}, expected a number above 0`);
+  let directions: [number, number][] = [
+    [1, 0],
+    [0, 1],
+    [-1, 0],
+    [0, -1],
+  ];
+  for (let halving = 0; halving < kHalvings; ++halving)
+    directions = directions.flatMap(([a, b], k) => {
+      const [c, d] = directions[(k + 1) % directions.length]!;
+      const [u, v] = [a + c, b + d];
+      const size = Math.sqrt(u * u + v * v);
+      return [
+        [a, b],
+        [u / size, v / size],
+      ];
+    });
+  return directions.map(([u, v]) => [x + r * u, y + r * v]);
 }
 
 /** GeoJSON's types that make a window; each may hold those behind it. */
@@ -88,13 +130,13 @@ function ringsOf(region: unknown, types = kTypes): unknown {
   );
 }
 
+const kHalvings = 7; // of the quarters of a disc's circle
+
 // Collections hold multi-polygons, these polygons, these rings.
 const kDeepest = 3;
 
 function addRings(given: unknown, coordinates: number[], starts: number[], depth: number): void {
   if (depth > kDeepest) throw bad(`ring ${starts.length - 1} of the region is nested too deep`);
-  // What cellParts gives: a ring with those of its holes.
-  const { holes } = (given ?? {}) as { holes?: unknown };
   const rings = plainView(given);
   if (!isArrayLike(rings)) throw bad(`ring ${starts.length - 1} of the region is no array`);
   if (rings.length === 0) return;
@@ -102,7 +144,6 @@ function addRings(given: unknown, coordinates: number[], starts: number[], depth
   const isOfPoints = isArrayLike(first) && typeof first[0] === "number" && first.length <= 3;
   if (isOfPoints || !isArrayLike(first)) {
     addRing(rings, isOfPoints, coordinates, starts);
-    if (isArrayLike(holes)) addRings(holes, coordinates, starts, depth + 1);
   } else {
     for (let k = 0; k < rings.length; ++k) addRings(rings[k], coordinates, starts, depth + 1);
   }

@@ -100,18 +100,29 @@ export interface VoronoiWindow {
   contains(x: number, y: number): boolean;
 }
 
-/** How far cells reach. */
-export interface DistanceOptions {
+/**
+ * How far from its site's circle a cell ends: one distance for all; an array by id, a Map or an
+ * object of the sites' ids; or a function of an id.
+ */
+export type MaxDistance = number | NumbersById | ((id: number) => number);
+
+/** Options of a view, of the plane and of the sphere. */
+export interface ViewOptions {
   /**
    * Cells end at this distance from their sites' circles, in the unit of the coordinates or of the
-   * sphere's radius: one for all, or one for each site. 0 is the circle itself, a negative distance
-   * is inside it, Infinity (the default) is nowhere.
+   * sphere's radius. 0 is the circle itself, a negative distance is inside it, Infinity (the
+   * default) is nowhere. A point at that distance is in the cell.
+   *
+   * Lists and functions are asked at each call: those about one cell ask for its site, `neighbors`
+   * and `cellCurves` also for its neighbours, all others for all sites; generators and asynchronous
+   * calls when they begin. A list must have all that is asked for ("bad-option"), and what it gives
+   * must be a number ("not-finite", "out-of-range"). Changing the diagram meanwhile throws "busy".
    */
-  distance?: number | NumbersById | undefined;
+  maxDistance?: MaxDistance | undefined;
 }
 
 /** What `diagram.voronoi(window, options)` takes. */
-export interface VoronoiOptions extends DistanceOptions {
+export interface VoronoiOptions extends ViewOptions {
   /**
    * For a diagram of projected places: the window is given in longitude and latitude, bounds as
    * [west, south, east, north], and `toGeoJSON` gives its polygons in these. Sides are refined, so
@@ -142,9 +153,9 @@ export interface FittedAreas extends FitProgress {
   weights: Float64Array;
 }
 
-/** Options of `interpolate`. */
+/** Options of `naturalWeights` and `interpolate`. */
 export interface InterpolationOptions {
-  /** Radius of the new circles, whose natural neighbours give the value. Default: 0. */
+  /** Radius or weight of the new sites, whose natural neighbours are asked for. Default: 0. */
   r?: number | undefined;
 }
 
@@ -270,12 +281,6 @@ export type CellRing = Position[] | Float64Array;
 
 /** The polygon of a cell, with the id of its site. */
 export type CellPolygon<Points extends CellRing = Position[]> = Points & { index: number };
-
-/**
- * A part of a cell: its outer ring, counter-clockwise, and those of its holes, clockwise. Only
- * windows of other shapes than rectangles make holes.
- */
-export type CellPart<Points extends CellRing = Position[]> = Points & { holes: Points[] };
 
 /** Options of `cellPolygon`, `cellPolygons` and `cellParts`. */
 export interface PolygonOptions {

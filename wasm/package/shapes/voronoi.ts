@@ -1,15 +1,14 @@
-import type { CellMoments } from "../../../build/wasm/apollonius.mjs";
+import type { CellMoments, CoverageArrays } from "../../../build/wasm/apollonius.mjs";
 import {
   checkedChoice,
   checkedCount,
-  checkNumber,
   checkOptions,
   isSiteId,
   unknownSite,
 } from "../core/arguments.js";
 import type { Diagram } from "../core/diagram.js";
-import { nativeOf, wrongReceiver } from "../core/inner.js";
-import { Ballast, destroy } from "../core/native/lifetime.js";
+import { type Inner, nativeOf, planarOf, wrongReceiver } from "../core/inner.js";
+import { Ballast, destroy, keep } from "../core/native/lifetime.js";
 import {
   type NativeReach,
   type NativeRegion,
@@ -23,17 +22,28 @@ import type { Bounds, Edges, Position } from "../core/types.js";
 import { ApolloniusError } from "../errors.js";
 import { cellPaths } from "./cell_paths.js";
 import { joined, measuresOf, partsOf, type Rings, ringOf } from "./cell_shapes.js";
-import { type Distances, distanceOf, reaches } from "./distances.js";
 import { drawBounds, drawInto, type NativeWindow, toleranceOf } from "./drawing.js";
 import { isWithClearance, narrowestOf } from "./edges.js";
 import { emptyCircles } from "./empty_circles.js";
 import { fitAreas, fitAreasAsync } from "./fit.js";
-import { type CellsCollection, collectionOf, type GeoJSONOptions } from "./geojson.js";
+import {
+  type CellGeometry,
+  type CellMesh,
+  type CellsCollection,
+  checkedProperties,
+  checkedWinding,
+  featuresOf,
+  type GeoJSONOptions,
+  type GeometryOptions,
+  geometryOf,
+  meshOf,
+} from "./geojson.js";
 import { checkedAspect, innerCircle } from "./inner_circle.js";
-import { interpolate, interpolateAsync, naturalWeights } from "./interpolation.js";
+import { type Asked, interpolate, interpolateAsync, naturalWeights } from "./interpolation.js";
+import { checkedLimit, contains, limitOf, limitsOf } from "./limits.js";
 import { createReach, createRegion } from "./native_window.js";
 import { checkedProjection, readWindow, unprojected } from "./projection.js";
-import type { Region } from "./region.js";
+import type { WindowShape } from "./region.js";
 import type {
   AreaTargets,
   AsyncFitOptions,
@@ -41,7 +51,6 @@ import type {
   CellCircle,
   CellCircleOptions,
   CellCurves,
-  CellPart,
   CellPolygon,
   CellRing,
   EdgeCurves,
@@ -53,6 +62,7 @@ import type {
   FittedAreas,
   FlatOptions,
   InterpolationOptions,
+  MaxDistance,
   Measures,
   NaturalWeights,
   NestedOptions,
@@ -71,6 +81,13 @@ const kRegionsOfSite = 16;
 // Cells that a generator asks for at once: few at first, so that it starts at once; and some
 // hundred kilobytes of points at most.
 const [kFirstCells, kMostCells] = [256, 8192];
+
+/** The window of a call, with how far cells reach during that. */
+interface Held {
+  /** Read last, as the caller's code can dispose of the view before: then it throws. */
+  windowNow(): NativeWindow;
+  end(): void;
+}
 
 /**
  * The cells of a diagram inside a window, as shapes, measures and drawings:
@@ -91,8 +108,8 @@ const [kFirstCells, kMostCells] = [256, 8192];
  * `dispose` gives the memory back.
  *
  * Everywhere: an id without a site throws "unknown-site"; a hidden site, which has no cell, and a
- * cell with no part inside the window give nothing: null for arrays and objects, nothing drawn.
- * Measures are null for a hidden site, and 0 outside the window. Options throw "not-finite" or
+ * cell with no part inside the window give nothing: null for places and shapes, 0 for areas and
+ * lengths, NaN for coordinates in lists, nothing drawn. Options throw "not-finite" or
  * "out-of-range", unknown ones "bad-option", as does a context that cannot draw. Names and meaning
  * are d3-delaunay's where it has them.
  */
@@ -112,20 +129,20 @@ export class Voronoi implements Disposable {
   /** The window itself: its area, its centroid, and which points it contains. */
   readonly window: VoronoiWindow;
   readonly #region: NativeRegion | null = null;
+  /** How far cells reach; of a number there is the other for the library. */
+  readonly #limit: MaxDistance;
   readonly #reach: NativeReach | null = null;
-  /** How far cells reach: one distance, or one for each id. */
-  readonly #distance: Distances;
   readonly #project: Projection | undefined;
   readonly #ballast: Ballast | null = null;
   #isDisposed = false;
 
   /** `diagram.voronoi(window)` makes it. */
-  private constructor(diagram: Diagram, given: Bounds | Region, options?: VoronoiOptions) {
+  private constructor(diagram: Diagram, given: WindowShape, options?: VoronoiOptions) {
     const native = nativeOf(diagram);
-    checkOptions(options, "distance", "project");
+    checkOptions(options, "maxDistance", "project");
     this.#project = checkedProjection(options?.project);
     const window = readWindow(given, this.#project);
-    this.#distance = distanceOf(native, options);
+    this.#limit = checkedLimit(options);
     let bounds: [number, number, number, number];
     if ("starts" in window) {
       const { coordinates, starts } = window;
@@ -138,8 +155,8 @@ export class Voronoi implements Disposable {
     } else {
       bounds = window;
     }
-    if (this.#distance !== Infinity)
-      this.#reach = createReach(this, shapesOf(native), this.#distance);
+    if (typeof this.#limit === "number" && this.#limit !== Infinity)
+      this.#reach = createReach(this, shapesOf(native), this.#limit);
     const [xmin, ymin, xmax, ymax] = bounds;
     this.diagram = diagram;
     this.xmin = xmin;
@@ -151,13 +168,13 @@ export class Voronoi implements Disposable {
   }
 
   /** @internal For `diagram.voronoi(window)`. */
-  static of(diagram: Diagram, window: Bounds | Region, options?: VoronoiOptions): Voronoi {
+  static of(diagram: Diagram, window: WindowShape, options?: VoronoiOptions): Voronoi {
     return new Voronoi(diagram, window, options);
   }
 
   /** @internal Area and centroid in one call: for treemaps. */
-  static momentsOf(view: Voronoi, id: number): CellMoments | null {
-    return view.#moments(id);
+  static momentsOf(view: Voronoi, id: number): CellMoments {
+    return Voronoi.#moments(view, id);
   }
 
   // --- Saving and checking -----------------------------------------------------------------------
@@ -170,17 +187,19 @@ export class Voronoi implements Disposable {
   // --- Drawing -----------------------------------------------------------------------------------
 
   /**
-   * Draws all edges inside the window, each once; with a distance also where cells end without a
+   * Draws all edges inside the window, each once; with a maxDistance also where cells end without a
    * neighbour. O(n).
    */
   render(context: PathContext, options?: DrawOptions): void;
   render(context?: null, options?: DrawOptions): string;
   render(context?: PathContext | null, options?: DrawOptions): string | void;
   render(context?: PathContext | null, options?: DrawOptions): string | void {
-    const native = Voronoi.#living(this);
+    Voronoi.#living(this);
     const tolerance = toleranceOf(options);
     return drawn(context, options, (target) =>
-      drawInto(target, native, "edges", () => this.#window, tolerance),
+      Voronoi.#clipped(this, undefined, (native, windowNow) =>
+        drawInto(target, native, "edges", windowNow, tolerance),
+      ),
     );
   }
 
@@ -198,10 +217,12 @@ export class Voronoi implements Disposable {
   renderCell(id: number, context?: null, options?: DrawOptions): string;
   renderCell(id: number, context?: PathContext | null, options?: DrawOptions): string | void;
   renderCell(id: number, context?: PathContext | null, options?: DrawOptions): string | void {
-    const native = Voronoi.#nativeFor(this, id);
+    Voronoi.#nativeFor(this, id);
     const tolerance = toleranceOf(options);
     return drawn(context, options, (target) => {
-      const { commands, coordinates } = native.drawCell(...this.#window, id, tolerance);
+      const { commands, coordinates } = Voronoi.#clipped(this, [id], (native, windowNow) =>
+        native.drawCell(...windowNow(), id, tolerance),
+      );
       play(target, commands, coordinates);
     });
   }
@@ -213,8 +234,9 @@ export class Voronoi implements Disposable {
    * of it. O(n), several times as fast as a loop.
    */
   renderCells(options?: DrawOptions): (string | null)[] {
-    const native = Voronoi.#living(this);
-    return cellPaths(native, () => this.#window, options);
+    return Voronoi.#clipped(this, undefined, (native, windowNow) =>
+      cellPaths(native, windowNow, options),
+    );
   }
 
   // --- Shapes ------------------------------------------------------------------------------------
@@ -229,52 +251,84 @@ export class Voronoi implements Disposable {
   cellPolygon(id: number, options?: NestedOptions): Position[] | null;
   cellPolygon(id: number, options?: PolygonOptions): CellRing | null;
   cellPolygon(id: number, options?: PolygonOptions): CellRing | null {
-    return joined(this.#rings(id, options));
+    return joined(Voronoi.#rings(this, id, options));
   }
 
   /**
-   * The parts of a cell as closed rings, counter-clockwise, each with those of its `holes`: valid
-   * polygons, no two of whose segments cross. Errors and cost as `cellPolygon`. Cells asked one by
-   * one may differ from their neighbours by rounding; `toGeoJSON` is proved to tile the window.
+   * The parts of a cell, each a list of closed rings: the outer one, counter-clockwise, and those
+   * of its holes, clockwise. They are valid polygons, no two of whose segments cross. Errors and
+   * cost as `cellPolygon`. Cells asked one by one may differ from their neighbours by rounding;
+   * `toGeoJSON` is proved to tile the window.
    */
-  cellParts(id: number, options: FlatOptions): CellPart<Float64Array>[] | null;
-  cellParts(id: number, options?: NestedOptions): CellPart[] | null;
-  cellParts(id: number, options?: PolygonOptions): CellPart<CellRing>[] | null;
-  cellParts(id: number, options?: PolygonOptions): CellPart<CellRing>[] | null {
-    return partsOf(this.#rings(id, options));
+  cellParts(id: number, options: FlatOptions): Float64Array[][] | null;
+  cellParts(id: number, options?: NestedOptions): Position[][][] | null;
+  cellParts(id: number, options?: PolygonOptions): CellRing[][] | null;
+  cellParts(id: number, options?: PolygonOptions): CellRing[][] | null {
+    return partsOf(Voronoi.#rings(this, id, options));
+  }
+
+  /**
+   * A cell as a geometry of GeoJSON, as `toGeoJSON` has those of all: null for a hidden site and
+   * outside the window. Errors and cost as `cellPolygon`, and what may differ as in `cellParts`.
+   */
+  cellGeometry(id: number, options?: GeometryOptions): CellGeometry | null {
+    Voronoi.#nativeFor(this, id);
+    checkOptions(options, "tolerance", "winding");
+    const winding = checkedWinding(options?.winding);
+    const tolerance = toleranceOf(options);
+    const rings = Voronoi.#clipped(this, [id], (native, windowNow) =>
+      native.cellPolygon(...windowNow(), id, tolerance),
+    );
+    if (rings.parts.length < 2) return null;
+    const cells = Uint32Array.of(0, rings.parts.length - 1);
+    const polygons = Voronoi.#onMap(
+      this,
+      { ...rings, cells, sites: Uint32Array.of(id) },
+      tolerance,
+    );
+    return geometryOf(polygons, 0, winding);
   }
 
   /**
    * The polygons of all cells that have a part in the window, ascending by id, which is their
    * `index`: as `cellPolygon` gives them, but found many at a time. If the diagram changes
    * meanwhile, the polygons that follow are those of the changed diagram, up to the id that was the
-   * last one at the start.
+   * last one at the start; how far cells reach is asked at the start.
    */
   cellPolygons(options: FlatOptions): Generator<CellPolygon<Float64Array>, void>;
   cellPolygons(options?: NestedOptions): Generator<CellPolygon, void>;
   cellPolygons(options?: PolygonOptions): Generator<CellPolygon<CellRing>, void>;
   *cellPolygons(options?: PolygonOptions): Generator<CellPolygon<CellRing>, void> {
-    const { isFlat, tolerance } = this.#ringOptions(options);
+    Voronoi.#living(this);
+    const { isFlat, tolerance } = ringOptions(options);
     const last = this.diagram.ids().at(-1) ?? -1;
     const isAsBefore = (revision: number) => Voronoi.#living(this).revision() === revision;
-    for (let id = 0, size = kFirstCells; id <= last; size = Math.min(2 * size, kMostCells)) {
-      const native = Voronoi.#living(this);
-      const [end, revision] = [Math.min(id + size, last + 1), native.revision()];
-      const cells = native.cellPolygonsBetween(...this.#window, id, end, tolerance);
-      id = end;
-      for (const [k, index] of cells.sites.entries()) {
-        yield Object.assign(ringOf(cells, k, isFlat), { index });
-        if (isAsBefore(revision)) continue;
-        id = index + 1;
-        break;
+    const held = Voronoi.#hold(this);
+    try {
+      for (let id = 0, size = kFirstCells; id <= last; size = Math.min(2 * size, kMostCells)) {
+        const native = Voronoi.#living(this);
+        const [end, revision] = [Math.min(id + size, last + 1), native.revision()];
+        const cells = native.cellPolygonsBetween(...held.windowNow(), id, end, tolerance);
+        id = end;
+        for (const [k, index] of cells.sites.entries()) {
+          yield Object.assign(ringOf(cells, k, isFlat), { index });
+          if (isAsBefore(revision)) continue;
+          id = index + 1;
+          break;
+        }
       }
+    } finally {
+      held.end();
     }
   }
 
   /** The true boundary of a cell, as curves. */
   cellCurves(id: number): CellCurves | null {
-    const native = Voronoi.#nativeFor(this, id);
-    const { curves, sites, starts } = native.cellCurves(...this.#window, id);
+    const { curves, sites, starts } = Voronoi.#clipped(
+      this,
+      Voronoi.#about(this, id),
+      (native, windowNow) => native.cellCurves(...windowNow(), id),
+    );
     return starts.length < 2 ? null : { curves, neighbors: new Int32Array(sites.buffer), starts };
   }
 
@@ -284,7 +338,9 @@ export class Voronoi implements Disposable {
    * is several. O(n).
    */
   edgeCurves(): EdgeCurves {
-    const { curves, sites } = Voronoi.#living(this).edgeCurves(...this.#window);
+    const { curves, sites } = Voronoi.#clipped(this, undefined, (native, windowNow) =>
+      native.edgeCurves(...windowNow()),
+    );
     return { curves, sites };
   }
 
@@ -297,19 +353,30 @@ export class Voronoi implements Disposable {
   edges(options?: EdgeOptions): Edges;
   edges(options?: EdgeOptions): Edges {
     const isClear = isWithClearance(options);
-    const { edges, narrowest } = Voronoi.#living(this).edgeGraph(...this.#window);
+    const { edges, narrowest } = this.#edgeGraph();
     return isClear ? { ...edges, ...narrowestOf(narrowest) } : edges;
   }
 
   /**
    * The ends of these edges: the Voronoi vertices inside, and a vertex wherever an edge is cut, by
-   * the border or at the view's distance. A vertex of more than three sites, which the diagram has
+   * the border or by `maxDistance`. A vertex of more than three sites, which the diagram has
    * several times, is one. O(n).
    */
   vertices(): VerticesInside {
-    const { vertices } = Voronoi.#living(this).edgeGraph(...this.#window);
+    const { vertices } = this.#edgeGraph();
     const { xy, clearance, sites } = vertices;
     return { xy, clearance, sites: new Int32Array(sites.buffer) };
+  }
+
+  /**
+   * What cells have in common as lines of GeoJSON, each edge once, in the points that it has in the
+   * polygons of `toGeoJSON`. Nothing of the window's border, nor of where a maxDistance ends cells
+   * that have no neighbour there. Cost, errors: as `toGeoJSON`.
+   */
+  cellMesh(options?: Pick<GeometryOptions, "tolerance">): CellMesh {
+    Voronoi.#living(this);
+    checkOptions(options, "tolerance");
+    return meshOf(Voronoi.#polygons(this, toleranceOf(options)));
   }
 
   /**
@@ -322,36 +389,36 @@ export class Voronoi implements Disposable {
   toGeoJSON<Properties = { site: number }>(
     options?: GeoJSONOptions<Properties>,
   ): CellsCollection<Properties> {
-    const native = Voronoi.#living(this);
-    return collectionOf((given) => {
-      const tolerance = toleranceOf({ tolerance: given });
-      const polygons = native.cellPolygons(...this.#window, tolerance);
-      const inMap = tolerance || native.defaultTolerance(...this.#bounds);
-      return this.#project ? unprojected(polygons, this.#project, inMap) : polygons;
-    }, options);
+    Voronoi.#living(this);
+    checkOptions(options, "tolerance", "properties", "winding");
+    const properties = checkedProperties<Properties>(options?.properties);
+    const winding = checkedWinding(options?.winding);
+    return featuresOf(Voronoi.#polygons(this, toleranceOf(options)), properties, winding);
   }
 
   // --- Points and neighbours ---------------------------------------------------------------------
 
   /**
-   * Is this site the nearest one to the point, and within the view's distance, if it has one?
-   * Exact, ties as in `diagram.find`; the window does not matter. false for a hidden site. Throws
-   * "unknown-site", "not-finite", "out-of-range".
+   * Is this site the nearest one to the point, and within the view's maxDistance? That is
+   * `diagram.find(x, y, { maxDistance }) === id`: exact, ties as there; the window does not matter.
+   * false for a hidden site. Throws "unknown-site", "not-finite", "out-of-range".
    */
   contains(id: number, x: number, y: number): boolean {
     Voronoi.#nativeFor(this, id);
-    return reaches(this.diagram, this.#distance, id, x, y);
+    return contains(Voronoi.#inner(this), this.#limit, id, x, y);
   }
 
   /**
    * The sites whose cells have an edge in common with this one's inside the window,
    * counter-clockwise, each once. An edge has a length, however small: cells that meet in a point
    * only are no neighbours, and `diagram.neighbors` may have them. That is decided exactly at
-   * Voronoi vertices, and up to rounding where the window or a distance ends an edge; of two
+   * Voronoi vertices, and up to rounding where the window or a maxDistance ends an edge; of two
    * neighbours each has the other, and `edgeCurves` the edge. O(d log d).
    */
   neighbors(id: number): Uint32Array {
-    return Voronoi.#nativeFor(this, id).cellNeighbors(...this.#window, id);
+    return Voronoi.#clipped(this, Voronoi.#about(this, id), (native, windowNow) =>
+      native.cellNeighbors(...windowNow(), id),
+    );
   }
 
   // --- Empty circles, and room for labels --------------------------------------------------------
@@ -360,7 +427,7 @@ export class Voronoi implements Disposable {
    * The largest circle that no site's circle reaches into, with its centre in the window: the place
    * that is farthest from all sites, at a Voronoi vertex, where an edge crosses the border, or at a
    * corner. null without sites. The choice among these is by their distances as rounded, which are
-   * right up to the last places of the coordinates. O(n log n).
+   * right up to the last places of the coordinates. A maxDistance does not matter. O(n log n).
    *
    * With `inside`, the largest such circle that does not cross the window's border: r is at least
    * 0.999 of the largest possible. Each cell at the border that is searched costs O(m) more, m
@@ -368,12 +435,13 @@ export class Voronoi implements Disposable {
    * coincide keep the search from ending.
    */
   largestEmptyCircle(options?: EmptyCircleOptions): EmptyCircle | null {
+    Voronoi.#living(this);
     return this.emptyCircles(1, options)[0] ?? null;
   }
 
   /**
    * The `count` largest of such circles, the largest first, none with its centre in one before it:
-   * where to put new sites apart from each other. Fewer if there are no more. A view's distance
+   * where to put new sites apart from each other. Fewer if there are no more. A maxDistance
    * does not matter. With `inside`, these are chosen from: the circles about Voronoi vertices that
    * do not cross the border, and the largest one of each cell at the border; so there may be room
    * for more. Throws "not-finite", "out-of-range" (count), "bad-option",
@@ -398,8 +466,10 @@ export class Voronoi implements Disposable {
   cellCircle(id: number, options?: CellCircleOptions): CellCircle | null {
     Voronoi.#nativeFor(this, id);
     const aspect = checkedAspect(options);
-    const cell = this.cellCurves(id);
-    return cell && innerCircle(cell.curves, aspect);
+    const { curves, starts } = Voronoi.#clipped(this, [id], (native, windowNow) =>
+      native.cellCurves(...windowNow(), id),
+    );
+    return starts.length < 2 ? null : innerCircle(curves, aspect);
   }
 
   /**
@@ -410,15 +480,16 @@ export class Voronoi implements Disposable {
   cellCircles(options?: CellCircleOptions): Float64Array {
     Voronoi.#living(this);
     const aspect = checkedAspect(options);
-    const native = Voronoi.#living(this);
-    const circles = new Float64Array(3 * native.idLimit()).fill(NaN);
-    for (const id of native.ids()) {
-      const { curves, starts } = native.cellCurves(...this.#window, id);
-      if (starts.length < 2) continue;
-      const { x, y, r } = innerCircle(curves, aspect);
-      circles.set([x, y, r], 3 * id);
-    }
-    return circles;
+    return Voronoi.#clipped(this, undefined, (native, windowNow) => {
+      const circles = new Float64Array(3 * native.idLimit()).fill(NaN);
+      for (const id of native.ids()) {
+        const { curves, starts } = native.cellCurves(...windowNow(), id);
+        if (starts.length < 2) continue;
+        const { x, y, r } = innerCircle(curves, aspect);
+        circles.set([x, y, r], 3 * id);
+      }
+      return circles;
+    });
   }
 
   // --- Interpolation -----------------------------------------------------------------------------
@@ -428,19 +499,20 @@ export class Voronoi implements Disposable {
    * the window a new circle there would take a part, and the share of the new cell that comes from
    * each. If a circle covers it, that one alone. The value of a field at the place is the sum of
    * weights times values. It is continuous, and exact at the centres of sites, if r is at most the
-   * smallest radius. The diagram stays as it is, and the view's distance does not matter. null
-   * without sites, and where the new cell would have no part in the window. Cost: location, and the
-   * size of what would change; at the border of a window that is no rectangle also O(its points)
-   * and a diagram of the natural neighbours. Throws "not-finite", "out-of-range".
+   * smallest radius. The diagram stays as it is. null without sites, where the new cell would have
+   * no part in the window, and where no cell is within its maxDistance (shares are those of whole
+   * cells). Cost: location, and the size of what would change; at the border of a window that is no
+   * rectangle also O(its points) and a diagram of the natural neighbours. Throws "not-finite",
+   * "out-of-range", "bad-option".
    */
-  naturalWeights(x: number, y: number, r = 0): NaturalWeights | null {
-    return naturalWeights(Voronoi.#living(this), this.#window, x, y, r);
+  naturalWeights(x: number, y: number, options?: InterpolationOptions): NaturalWeights | null {
+    return naturalWeights(Voronoi.#asked(this), x, y, options);
   }
 
   /**
    * A field at many points: for each of the flat x, y pairs, what `naturalWeights` says with the
-   * sites' `values`, which are given by id. NaN outside of the window, without sites, and next to
-   * sites whose value is NaN. Among sites that are points, a linear field is reproduced wherever
+   * sites' `values`, which are given by id. NaN where that says null, and next to sites whose value
+   * is NaN. Among sites that are points, a linear field is reproduced wherever
    * the cell of a new point would end within the window. Cost: as a loop of `naturalWeights`, but
    * without location, and without a call for each point. Throws "bad-length" (xy; values, one for
    * each id that was ever used, or for each site), "unknown-site", "not-finite", "out-of-range",
@@ -451,7 +523,7 @@ export class Voronoi implements Disposable {
     xy: ArrayLike<number>,
     options?: InterpolationOptions,
   ): Float64Array {
-    return interpolate(Voronoi.#living(this), () => this.#window, values, xy, options);
+    return interpolate(Voronoi.#asked(this), values, xy, options);
   }
 
   /**
@@ -465,50 +537,36 @@ export class Voronoi implements Disposable {
     options?: AsyncInterpolationOptions,
   ): Promise<Float64Array> {
     // awaited here, so that this view, and so the diagram, is not collected meanwhile
-    return await interpolateAsync(Voronoi.#living(this), () => this.#window, values, xy, options);
+    return await interpolateAsync(Voronoi.#asked(this), values, xy, options);
   }
 
   // --- Measures ----------------------------------------------------------------------------------
 
-  /** Area of a cell inside the window; null for a hidden site. */
-  cellArea(id: number): number | null {
-    return this.#moments(id)?.area ?? null;
+  /** Area of a cell inside the window; 0 for a hidden site. */
+  cellArea(id: number): number {
+    return Voronoi.#moments(this, id).area;
   }
 
   /** Centroid of a cell inside the window; null if no part of it is. */
   cellCentroid(id: number): [number, number] | null {
-    const { centroidX, centroidY, isEmpty } = this.#moments(id) ?? { isEmpty: true };
-    return isEmpty ? null : [centroidX as number, centroidY as number];
+    const { centroidX, centroidY, isEmpty } = Voronoi.#moments(this, id);
+    return isEmpty ? null : [centroidX, centroidY];
   }
 
   /**
-   * Length of the boundary of a cell inside the window, the window's border included; null for a
+   * Length of the boundary of a cell inside the window, the window's border included; 0 for a
    * hidden site.
    */
-  cellPerimeter(id: number): number | null {
-    return this.cellMeasures(id)?.perimeter ?? null;
+  cellPerimeter(id: number): number {
+    return Voronoi.#ofCell(this, id, (native, windowNow) => native.cellMeasures(...windowNow(), id))
+      .perimeter;
   }
 
-  /** Area, centroid and perimeter at once. */
-  cellMeasures(id: number): Measures | null {
-    const measures = this.#ofCell(id, (native) => native.cellMeasures(...this.#window, id));
-    return measures && measuresOf(measures);
-  }
-
-  /**
-   * Area, centroid and perimeter of the part of a cell within `radius` of its site's centre: the
-   * most that a site can cover. With Infinity it is the whole cell; if that is unbounded, its area
-   * and perimeter are Infinity and its centroid is null. The window does not matter. null for a
-   * hidden site. Throws "unknown-site", "not-finite", "out-of-range" (a radius below 0).
-   */
-  cellWithin(id: number, radius: number): Measures | null {
-    const measures = this.#ofCell(id, (native) => {
-      if (radius !== Infinity) checkNumber("radius", radius);
-      if (radius < 0)
-        throw new ApolloniusError("out-of-range", `radius is ${radius}, expected 0 or more`);
-      return native.cellMeasuresWithin(id, radius);
-    });
-    return measures && measuresOf(measures);
+  /** Area, centroid and perimeter at once; the centroid is null if no part is in the window. */
+  cellMeasures(id: number): Measures {
+    return measuresOf(
+      Voronoi.#ofCell(this, id, (native, windowNow) => native.cellMeasures(...windowNow(), id)),
+    );
   }
 
   /**
@@ -517,7 +575,9 @@ export class Voronoi implements Disposable {
    * do those of the next two and of `render`; those of `cellArea` and of all else do not.
    */
   cellAreas(): Float64Array {
-    return Voronoi.#living(this).cellAreas(...this.#window);
+    return Voronoi.#clipped(this, undefined, (native, windowNow) =>
+      native.cellAreas(...windowNow()),
+    );
   }
 
   /**
@@ -525,12 +585,16 @@ export class Voronoi implements Disposable {
    * none. O(n).
    */
   cellCentroids(): Float64Array {
-    return Voronoi.#living(this).cellCentroids(...this.#window);
+    return Voronoi.#clipped(this, undefined, (native, windowNow) =>
+      native.cellCentroids(...windowNow()),
+    );
   }
 
   /** The perimeters of all cells inside the window, by id; 0 where there is none. O(n). */
   cellPerimeters(): Float64Array {
-    return Voronoi.#living(this).cellPerimeters(...this.#window);
+    return Voronoi.#clipped(this, undefined, (native, windowNow) =>
+      native.cellPerimeters(...windowNow()),
+    );
   }
 
   // --- Prescribed areas --------------------------------------------------------------------------
@@ -549,7 +613,7 @@ export class Voronoi implements Disposable {
    * diagram and of `cellAreas`.
    */
   fitAreas(targets: AreaTargets, options?: FitOptions): FittedAreas {
-    return fitAreas(Voronoi.#living(this, true), () => this.#window, targets, options);
+    return fitAreas(Voronoi.#living(this, true), () => this.#filled, targets, options);
   }
 
   /**
@@ -560,7 +624,7 @@ export class Voronoi implements Disposable {
    */
   async fitAreasAsync(targets: AreaTargets, options?: AsyncFitOptions): Promise<FittedAreas> {
     // awaited here, so that this view, and so the diagram, is not collected meanwhile
-    return await fitAreasAsync(Voronoi.#living(this, true), () => this.#window, targets, options);
+    return await fitAreasAsync(Voronoi.#living(this, true), () => this.#filled, targets, options);
   }
 
   // --- Lifetime ----------------------------------------------------------------------------------
@@ -595,47 +659,140 @@ export class Voronoi implements Disposable {
     return [this.#region, this.#reach, ...this.#bounds];
   }
 
+  /** The window of a fit. Throws "bad-option". */
+  get #filled(): NativeWindow {
+    if (this.#limit === Infinity) return this.#window;
+    throw new ApolloniusError(
+      "bad-option",
+      "fitAreas is for cells that fill the window, not for those that end at a distance",
+    );
+  }
+
   /** Of calls that change the diagram: "busy" within a filter. */
-  static #living(view: Voronoi, changes = false): NativeShapes {
+  static #inner(view: Voronoi, changes = false): Inner<NativeShapes> {
     if (typeof view !== "object" || view === null || !(#isDisposed in view))
       throw wrongReceiver(view);
     if (view.#isDisposed) throw new ApolloniusError("disposed", "the view has been disposed of");
-    return shapesOf(nativeOf(view.diagram, changes));
+    const inner = planarOf(view.diagram, changes);
+    shapesOf(inner.native);
+    return inner as Inner<NativeShapes>;
+  }
+
+  static #living(view: Voronoi, changes = false): NativeShapes {
+    return Voronoi.#inner(view, changes).native;
+  }
+
+  /** How far the cells of some sites reach, or of all, asked now. */
+  static #hold(view: Voronoi, ids?: readonly number[]): Held {
+    const inner = Voronoi.#inner(view);
+    const limit = view.#limit;
+    if (typeof limit === "number") return { windowNow: () => view.#window, end() {} };
+    const limits =
+      ids?.map((id) => limitOf(inner, limit, id)) ?? (limitsOf(inner, limit) as Float64Array);
+    const reach = Voronoi.#living(view).reach(limits, ids ?? []) as NativeReach;
+    const held: Held = {
+      windowNow: () => {
+        Voronoi.#living(view);
+        return [view.#region, reach, ...view.#bounds];
+      },
+      end: () => destroy(reach),
+    };
+    keep(held, reach);
+    return held;
+  }
+
+  #edgeGraph() {
+    return Voronoi.#clipped(this, undefined, (native, windowNow) =>
+      native.edgeGraph(...windowNow()),
+    );
+  }
+
+  /** What `ask` says of some cells, or of all. */
+  static #clipped<Answer>(
+    view: Voronoi,
+    ids: readonly number[] | undefined,
+    ask: (native: NativeShapes, windowNow: () => NativeWindow) => Answer,
+  ): Answer {
+    const held = Voronoi.#hold(view, ids);
+    try {
+      return ask(Voronoi.#living(view), held.windowNow);
+    } finally {
+      held.end();
+    }
+  }
+
+  /** A site and those that may have an edge with it, ascending. */
+  static #about(view: Voronoi, id: number): number[] {
+    const native = Voronoi.#nativeFor(view, id);
+    if (typeof view.#limit === "number") return [id];
+    return [id, ...native.neighbors(id)].sort((a, b) => a - b);
+  }
+
+  /** What interpolation asks. */
+  static #asked(view: Voronoi): Asked<NativeShapes> {
+    Voronoi.#living(view);
+    return {
+      limit: view.#limit,
+      innerNow: () => Voronoi.#inner(view),
+      weights: (native, x, y, r) => native.naturalWeights(...view.#window, x, y, r),
+      values: (native, known, points, r) => native.interpolate(...view.#window, known, points, r),
+    };
   }
 
   static #nativeFor(view: Voronoi, id: number): NativeShapes {
     return withSite(Voronoi.#living(view), id);
   }
 
-  #moments(id: number): CellMoments | null {
-    return this.#ofCell(id, (native) => native.cellMoments(...this.#window, id));
+  static #moments(view: Voronoi, id: number): CellMoments {
+    return Voronoi.#ofCell(view, id, (native, windowNow) => native.cellMoments(...windowNow(), id));
   }
 
-  /** What a call says of a cell; null for a hidden site. One call, but of empty cells. */
-  #ofCell<Moments extends CellMoments>(
+  /** What a call says of a cell. */
+  static #ofCell<Moments extends CellMoments>(
+    view: Voronoi,
     id: number,
-    call: (native: NativeShapes) => Moments,
-  ): Moments | null {
-    const native = Voronoi.#living(this);
+    call: (native: NativeShapes, windowNow: () => NativeWindow) => Moments,
+  ): Moments {
+    const native = Voronoi.#living(view);
     if (!isSiteId(id)) throw unknownSite(id);
+    if (typeof view.#limit !== "number") {
+      withSite(native, id);
+      return Voronoi.#clipped(view, [id], call);
+    }
     try {
-      const moments = call(native);
-      return moments.isEmpty && native.isHidden(id) ? null : moments;
+      return call(native, () => view.#window);
     } catch (error) {
       throw ofSite(error, id);
     }
   }
 
-  /** The rings of a cell, one after the other. */
-  #rings(id: number, options: PolygonOptions | undefined): Rings {
-    const { isFlat, tolerance } = this.#ringOptions(options);
-    const native = Voronoi.#nativeFor(this, id);
-    return { isFlat, ...native.cellPolygon(...this.#window, id, tolerance) };
+  /** All cells, as they tile the window; on the map, if there is one. */
+  static #polygons(view: Voronoi, tolerance: number): CoverageArrays {
+    const polygons = Voronoi.#clipped(view, undefined, (native, windowNow) =>
+      native.cellPolygons(...windowNow(), tolerance),
+    );
+    return Voronoi.#onMap(view, polygons, tolerance);
   }
 
-  #ringOptions(options: PolygonOptions | undefined) {
-    checkOptions(options, "tolerance", "flat");
-    const isFlat = checkedChoice("options.flat", options?.flat, [false, true]);
-    return { isFlat, tolerance: toleranceOf(options) };
+  static #onMap(view: Voronoi, polygons: CoverageArrays, tolerance: number): CoverageArrays {
+    if (!view.#project) return polygons;
+    const inMap = tolerance || Voronoi.#living(view).defaultTolerance(...view.#bounds);
+    return unprojected(polygons, view.#project, inMap);
   }
+
+  /** The rings of a cell, one after the other. */
+  static #rings(view: Voronoi, id: number, options: PolygonOptions | undefined): Rings {
+    Voronoi.#nativeFor(view, id);
+    const { isFlat, tolerance } = ringOptions(options);
+    const rings = Voronoi.#clipped(view, [id], (native, windowNow) =>
+      native.cellPolygon(...windowNow(), id, tolerance),
+    );
+    return { isFlat, ...rings };
+  }
+}
+
+function ringOptions(options: PolygonOptions | undefined) {
+  checkOptions(options, "tolerance", "flat");
+  const isFlat = checkedChoice("options.flat", options?.flat, [false, true]);
+  return { isFlat, tolerance: toleranceOf(options) };
 }

@@ -1,6 +1,8 @@
 // What the entry `apollonius-diagram/sphere` exports, whichever way the wasm comes.
 export { SphericalDiagram } from "./spherical_diagram.js";
+export type { SphericalVoronoi } from "./spherical_voronoi.js";
 export type {
+  CutAtAntimeridian,
   GeoJSONPoint,
   ListedSphericalSite,
   Spherical,
@@ -9,6 +11,9 @@ export type {
   SphericalEdgesWithClearance,
   SphericalEmptyCircle,
   SphericalGeoJSONOptions,
+  SphericalGeometry,
+  SphericalGeometryOptions,
+  SphericalMeasures,
   SphericalOptions,
   SphericalPolygonOptions,
   SphericalSite,
@@ -16,12 +21,17 @@ export type {
   SphericalTriangulation,
   SphericalVertices,
 } from "./spherical_types.js";
+export type { CellGeometry, CellMesh, CellsCollection, Winding } from "../shapes/geojson.js";
 export type {
-  DistanceOptions,
+  AsyncInterpolationOptions,
+  CellPolygon,
+  CellRing,
   EdgeOptions,
   InterpolationOptions,
+  MaxDistance,
   NaturalWeights,
   NumbersById,
+  ViewOptions,
 } from "../shapes/types.js";
 export type { Accessor, Items } from "../core/accessors.js";
 export type {

@@ -1,6 +1,7 @@
 // Which numbers the sphere accepts, and items as its sites.
 import type { ItemKind, Items } from "../core/accessors.js";
 import { described, isArrayLike } from "../core/arguments.js";
+import { type Inner, innerOf, wrongReceiver } from "../core/inner.js";
 import {
   type AnyNative,
   type NativeSphericalDiagram,
@@ -39,6 +40,13 @@ function errorOf(
   return null;
 }
 
+/** As innerOf; throws "bad-option" also for a diagram of the plane. */
+export function sphericalOf(diagram: unknown, changes = false): Inner<NativeSphericalDiagram> {
+  const inner = innerOf(diagram, changes);
+  if (inner.space !== sphere) throw wrongReceiver(diagram);
+  return inner as Inner<NativeSphericalDiagram>;
+}
+
 const radiusOf = (native: AnyNative) => (native as NativeSphericalDiagram).radius();
 
 export const sphere: Space = {
@@ -63,14 +71,22 @@ export function checkedRadius(options: { radius?: unknown } | undefined): number
 const kTolerance = 1e-4;
 const kFinestTolerance = 1e-9; // as in src/apollonius/spherical_diagram.h
 
-export function checkedAngularTolerance(tolerance: unknown): number {
+/** In radians, of what is given in the unit of the radius. */
+export function checkedTolerance(
+  options: { tolerance?: unknown } | undefined,
+  radius: number,
+): number {
+  const tolerance = options?.tolerance;
   if (tolerance === undefined) return kTolerance;
   if (typeof tolerance !== "number" || !Number.isFinite(tolerance))
     throw notFinite("options.tolerance", tolerance);
-  if (tolerance >= kFinestTolerance) return tolerance;
+  const angle = tolerance / radius;
+  // 1e-9 times the radius is accepted, whichever way it was rounded.
+  if (angle >= kFinestTolerance * (1 - 2 * Number.EPSILON))
+    return Math.max(angle, kFinestTolerance);
   throw new ApolloniusError(
     "out-of-range",
-    `options.tolerance is ${tolerance}, expected radians from 1e-9 on`,
+    `options.tolerance is ${tolerance}, expected at least 1e-9 of the radius, which is ${radius}`,
   );
 }
 

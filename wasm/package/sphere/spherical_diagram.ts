@@ -1,123 +1,26 @@
 import { type Accessor, accessorsAndOptions, type Items, readerOf } from "../core/accessors.js";
-import {
-  checkedBytes,
-  checkedChoice,
-  checkedCount,
-  checkNumber,
-  checkOptions,
-} from "../core/arguments.js";
+import { checkedBytes, checkOptions } from "../core/arguments.js";
 import { buildOrDispose } from "../core/building.js";
-import { type Inner, innerOf, wrongReceiver } from "../core/inner.js";
 import { fillOrDispose } from "../core/native/lifetime.js";
-import { type NativeSphericalDiagram, runningModule } from "../core/native/module.js";
-import { atPoint, atSite, withSite } from "../core/space.js";
+import { runningModule } from "../core/native/module.js";
 import { SurfaceDiagram } from "../core/surface_diagram.js";
 import { trianglesOf } from "../core/triangulation.js";
-import type { Edges, Position } from "../core/types.js";
-import {
-  type CellsCollection,
-  checkedProperties,
-  checkedWinding,
-  featuresOf,
-  positionsOf,
-} from "../shapes/geojson.js";
-import { distanceOf, withDistances } from "../shapes/distances.js";
+import type { Edges } from "../core/types.js";
 import { isWithClearance } from "../shapes/edges.js";
-import type {
-  CellPolygon,
-  DistanceOptions,
-  EdgeOptions,
-  InterpolationOptions,
-  NaturalWeights,
-  NumbersById,
-} from "../shapes/types.js";
-import { interpolate } from "./interpolation.js";
-import {
-  checkedAngularTolerance,
-  checkedRadius,
-  itemsOf,
-  places,
-  sphere,
-} from "./spherical_arguments.js";
+import type { EdgeOptions, ViewOptions } from "../shapes/types.js";
+import { checkedRadius, itemsOf, places, sphere, sphericalOf } from "./spherical_arguments.js";
 import type {
   ListedSphericalSite,
   Spherical,
   SphericalBuildOptions,
-  SphericalCollection,
   SphericalEdgesWithClearance,
-  SphericalEmptyCircle,
-  SphericalGeoJSONOptions,
   SphericalOptions,
-  SphericalPolygonOptions,
   SphericalSite,
   SphericalSites,
   SphericalTriangulation,
   SphericalVertices,
 } from "./spherical_types.js";
-
-/** As innerOf; throws "bad-option" also for a diagram of the plane. */
-function sphericalOf(diagram: unknown, changes = false): Inner<NativeSphericalDiagram> {
-  const inner = innerOf(diagram, changes);
-  if (inner.space !== sphere) throw wrongReceiver(diagram);
-  return inner as Inner<NativeSphericalDiagram>;
-}
-
-function polygonOptions(options: SphericalPolygonOptions | undefined) {
-  checkOptions(options, "tolerance", "winding", "distance");
-  const winding = checkedWinding(options?.winding);
-  return { tolerance: checkedAngularTolerance(options?.tolerance), winding };
-}
-
-/**
- * The distances at which all cells end. The module is asked for last, as the caller's options can
- * dispose of the diagram before.
- */
-function withReach(diagram: SphericalDiagram, options: DistanceOptions | undefined) {
-  const distances = distanceOf(sphericalOf(diagram).native, options);
-  return { native: sphericalOf(diagram).native, distances };
-}
-
-/** A measure of all cells. */
-function measuresOf(
-  diagram: SphericalDiagram,
-  options: DistanceOptions | undefined,
-  measure: (native: NativeSphericalDiagram, distances: ArrayLike<number>) => Float64Array,
-): Float64Array {
-  sphericalOf(diagram);
-  checkOptions(options, "distance");
-  const { native, distances } = withReach(diagram, options);
-  return withDistances(distances, (list) => measure(native, list));
-}
-
-/**
- * The distance at which the cell of a site ends. Throws "unknown-site", and "bad-option" for
- * options that are neither `distance` nor among `others`.
- */
-function withCell(
-  diagram: SphericalDiagram,
-  id: number,
-  options: DistanceOptions | undefined,
-  ...others: string[]
-) {
-  withSite(sphericalOf(diagram).native, id);
-  checkOptions(options, "distance", ...others);
-  const { distances, native } = withReach(diagram, options);
-  withSite(native, id);
-  if (typeof distances === "number") return { native, distance: distances };
-  const distance = distances[id] as number;
-  if (distance !== Infinity) checkNumber(`distance[${id}]`, distance);
-  return { native, distance };
-}
-
-function polygonsOf(
-  diagram: SphericalDiagram,
-  options: DistanceOptions | undefined,
-  tolerance: number,
-  isCut: boolean,
-) {
-  const { native, distances } = withReach(diagram, options);
-  return withDistances(distances, (list) => native.cellPolygons(list, tolerance, isCut));
-}
+import { SphericalVoronoi } from "./spherical_voronoi.js";
 
 /** The names of the sphere. */
 interface Sphere {
@@ -307,184 +210,14 @@ export class SphericalDiagram extends SurfaceDiagram<Sphere> {
     return { ...trianglesOf(sphericalOf(this).native), hull: new Uint32Array(0) };
   }
 
-  // --- Empty circles -----------------------------------------------------------------------------
-
-  /**
-   * The largest circle that no site reaches into: about the place on the sphere that is farthest
-   * from all sites. null without sites. O(n log n).
-   */
-  largestEmptyCircle(): SphericalEmptyCircle | null {
-    return this.emptyCircles(1)[0] ?? null;
-  }
-
-  /**
-   * The `count` largest of such circles, the largest first, none with its centre in one before it:
-   * where to put new sites apart from each other. Fewer if there are no more. Throws "not-finite",
-   * "out-of-range" (count). O(n (log n + count)).
-   */
-  emptyCircles(count: number): SphericalEmptyCircle[] {
-    const { native } = sphericalOf(this);
-    const { xy, clearance, sites } = native.emptyCircles(checkedCount("count", count));
-    return Array.from(clearance, (r, k) => ({
-      lon: xy[2 * k]!,
-      lat: xy[2 * k + 1]!,
-      r,
-      site: sites[k]!,
-    }));
-  }
-
-  // --- Interpolation -----------------------------------------------------------------------------
-
-  /**
-   * The natural neighbours of a place, for interpolation (Sibson): the sites from whose cells a new
-   * site of weight r there would take a part, and the share of the new cell that comes from each.
-   * If a site covers it, that one alone. The diagram stays as it is; null without sites. Cost:
-   * location, and the size of what would change. Throws "not-finite", "out-of-range".
-   */
-  naturalWeights(lon: number, lat: number, r: number = 0): NaturalWeights | null {
-    const asked = sphericalOf(this);
-    const found = atSite(asked, lon, lat, r, (native) => native.naturalWeights(lon, lat, r));
-    if (found.length === 0) return null;
-    const ids = Uint32Array.from(found.subarray(0, found.length / 2));
-    return { ids, weights: found.slice(ids.length) };
-  }
-
-  /**
-   * A field at many points: for each of the flat longitude, latitude pairs, what `naturalWeights`
-   * says with the sites' `values`, which are given by id; NaN without sites, and next to sites
-   * whose value is NaN. Cost: as a loop of `naturalWeights`, without a call for each point. Throws
-   * "bad-length" (lonLat; values, one for each id that was ever used, or for each site),
-   * "unknown-site", "not-finite", "out-of-range", "bad-option".
-   */
-  interpolate(
-    values: NumbersById,
-    lonLat: ArrayLike<number>,
-    options?: InterpolationOptions,
-  ): Float64Array {
-    return interpolate(() => sphericalOf(this), values, lonLat, options);
-  }
-
   // --- Cells -------------------------------------------------------------------------------------
 
   /**
-   * Is this site the nearest one to the point, or one of them? false for a hidden site. Cost: one
-   * location. Throws "unknown-site", "not-finite", "out-of-range", "bad-option".
-   */
-  contains(id: number, lon: number, lat: number, options?: DistanceOptions): boolean {
-    const { native, distance } = withCell(this, id, options);
-    const asked = { native, space: sphere };
-    return atPoint(asked, lon, lat, () => native.contains(id, lon, lat, distance));
-  }
-
-  /**
-   * The area of a cell, in the square of the radius' unit; null for a hidden site. O(d). Throws
-   * "unknown-site", "not-finite", "out-of-range", "bad-option".
-   */
-  cellArea(id: number, options?: DistanceOptions): number | null {
-    const { native, distance } = withCell(this, id, options);
-    return native.isHidden(id) ? null : native.cellArea(id, distance);
-  }
-
-  /**
-   * The areas of all cells by id, 0 for ids without a cell. Without a distance they add up to 4 π
-   * radius². Throws "not-finite", "out-of-range", "bad-option"; "broken" if they do not, by a
-   * defect of the library. O(n).
-   */
-  cellAreas(options?: DistanceOptions): Float64Array {
-    return measuresOf(this, options, (native, distances) => native.cellAreas(distances));
-  }
-
-  /**
-   * The length of a cell's boundary, in the radius' unit; null for a hidden site. O(d). Throws as
-   * `cellArea`.
-   */
-  cellPerimeter(id: number, options?: DistanceOptions): number | null {
-    const { native, distance } = withCell(this, id, options);
-    return native.isHidden(id) ? null : native.cellPerimeter(id, distance);
-  }
-
-  /** The perimeters of all cells by id, 0 for ids without a cell. O(n). Throws as `cellAreas`. */
-  cellPerimeters(options?: DistanceOptions): Float64Array {
-    return measuresOf(this, options, (native, distances) => native.cellPerimeters(distances));
-  }
-
-  /**
-   * The mean of a cell's points, as a direction: longitude and latitude; null for a hidden site,
-   * and for a cell whose distance ends at its centre or before. O(d). Throws as `cellArea`.
-   */
-  cellCentroid(id: number, options?: DistanceOptions): Position | null {
-    const { native, distance } = withCell(this, id, options);
-    const { lon, lat } = native.cellCentroid(id, distance);
-    return Number.isNaN(lon) ? null : [lon, lat];
-  }
-
-  /**
-   * A cell as one closed ring of longitudes and latitudes, to be joined by arcs of great circles;
-   * null for a hidden site, and for a cell whose distance ends at its centre or before; [] where
-   * the cell is the whole sphere. O(d + points). Throws "unknown-site", "not-finite",
+   * The cells: a view, always of the diagram as it is now. O(1). Throws "not-finite",
    * "out-of-range", "bad-option".
    */
-  cellPolygon(id: number, options?: SphericalPolygonOptions): Position[] | null {
-    const { native, distance } = withCell(this, id, options, "tolerance", "winding");
-    const { tolerance, winding } = polygonOptions(options);
-    if (native.isHidden(id)) return null;
-    const { coordinates } = native.cellPolygon(id, tolerance, false, distance);
-    if (coordinates.length === 0 && native.cellArea(id, distance) === 0) return null;
-    const ring = positionsOf(coordinates);
-    return winding === "clockwise" ? ring.reverse() : ring;
-  }
-
-  /**
-   * The polygons of all cells that are not empty, as they are when the loop begins, ascending by
-   * id, which is their `index`. Cost: O(n + points), a third of `cellPolygon` in a loop.
-   */
-  *cellPolygons(options?: SphericalPolygonOptions): Generator<CellPolygon, void> {
-    const { tolerance, winding } = polygonOptions(options);
-    const polygons = polygonsOf(this, options, tolerance, false);
-    const { coordinates, starts, parts, sites, cells } = polygons;
-    for (const [k, index] of sites.entries()) {
-      const [first, end] = [starts[parts[cells[k]!]!]!, starts[parts[cells[k + 1]!]!]!];
-      const ring = positionsOf(coordinates, first, end);
-      yield Object.assign(winding === "clockwise" ? ring.reverse() : ring, { index });
-    }
-  }
-
-  /**
-   * All cells as GeoJSON, ascending by id. Neighbours have the points of their common boundary in
-   * common, whatever the tolerance. For maps by default (RFC 7946: cut at the antimeridian); for
-   * d3-geo `{ winding: "clockwise" }`. O(n). Throws "not-finite", "out-of-range", "bad-option", and
-   * what `properties` throws; "broken" if cut cells are not the whole map, a defect of the library.
-   */
-  toGeoJSON<Properties = { site: number }>(
-    options?: SphericalGeoJSONOptions<Properties> & {
-      winding?: "counter-clockwise" | undefined;
-      antimeridian?: "cut" | undefined;
-    },
-  ): CellsCollection<Properties>;
-  toGeoJSON<Properties = { site: number }>(
-    options?: SphericalGeoJSONOptions<Properties>,
-  ): SphericalCollection<Properties>;
-  toGeoJSON<Properties = { site: number }>(
-    options?: SphericalGeoJSONOptions<Properties>,
-  ): SphericalCollection<Properties> {
-    checkOptions(options, "tolerance", "properties", "winding", "antimeridian", "distance");
-    const properties = checkedProperties<Properties>(options?.properties);
-    const winding = checkedWinding(options?.winding);
-    const antimeridian = checkedChoice<"cut" | "keep">(
-      "options.antimeridian",
-      options?.antimeridian,
-      winding === "clockwise" ? ["keep", "cut"] : ["cut", "keep"],
-    );
-    const tolerance = checkedAngularTolerance(options?.tolerance);
-    const polygons = polygonsOf(this, options, tolerance, antimeridian === "cut");
-    const collection = featuresOf(polygons, properties, winding);
-    if (polygons.parts.length > 1 || polygons.sites.length === 0) return collection;
-    // The only visible site's, which is the whole sphere.
-    const features = collection.features.map((feature) => ({
-      ...feature,
-      geometry: { type: "Sphere" as const },
-    }));
-    return { type: collection.type, features };
+  voronoi(options?: ViewOptions): SphericalVoronoi {
+    return SphericalVoronoi.of(this, options);
   }
 
   // --- Saving and checking -----------------------------------------------------------------------

@@ -1,7 +1,6 @@
 // The types of apollonius-diagram/sphere that users see.
-import type { BuildOptions, Edges, RadiusOption } from "../core/types.js";
-import type { CellsCollection } from "../shapes/geojson.js";
-import type { DistanceOptions } from "../shapes/types.js";
+import type { BuildOptions, Edges, Position, RadiusOption } from "../core/types.js";
+import type { CellGeometry } from "../shapes/geojson.js";
 
 /** A site of the sphere: its centre in degrees, its weight in the unit of the radius. */
 export interface SphericalSite {
@@ -108,11 +107,11 @@ export type GeoJSONPoint =
       readonly geometry: { readonly type: "Point"; readonly coordinates: readonly number[] };
     };
 
-/** Options of `SphericalDiagram.cellPolygon` and `cellPolygons`. */
-export interface SphericalPolygonOptions extends DistanceOptions {
+/** Options of `SphericalVoronoi.cellPolygon` and `cellPolygons`. */
+export interface SphericalPolygonOptions {
   /**
-   * How far a polygon may be from its cell, in radians, whatever the sphere's radius; at least
-   * 1e-9. Default: 1e-4, on the Earth 640 m.
+   * How far a polygon may be from its cell, in the unit of the radius; at least 1e-9 of that.
+   * Default: 1e-4 of it, on the Earth 640 m.
    */
   tolerance?: number | undefined;
   /**
@@ -122,10 +121,8 @@ export interface SphericalPolygonOptions extends DistanceOptions {
   winding?: "counter-clockwise" | "clockwise" | undefined;
 }
 
-/** Options of `SphericalDiagram.toGeoJSON`. */
-export interface SphericalGeoJSONOptions<Properties> extends SphericalPolygonOptions {
-  /** Gives the properties of a site's feature; by default they are { site: id }. */
-  properties?: ((id: number) => Properties) | undefined;
+/** Options of `SphericalVoronoi.cellGeometry`. */
+export interface SphericalGeometryOptions extends SphericalPolygonOptions {
   /**
    * "cut": cells are cut at the meridian of 180° and closed along it and the poles, as RFC 7946 has
    * it, for tools that take longitude and latitude for a plane; points are joined by straight lines
@@ -133,6 +130,33 @@ export interface SphericalGeoJSONOptions<Properties> extends SphericalPolygonOpt
    * Default: "cut", or for winding "clockwise" "keep".
    */
   antimeridian?: "cut" | "keep" | undefined;
+}
+
+/** Options of `SphericalVoronoi.toGeoJSON`. */
+export interface SphericalGeoJSONOptions<Properties> extends SphericalGeometryOptions {
+  /** Gives the properties of a site's feature; by default they are { site: id }. */
+  properties?: ((id: number) => Properties) | undefined;
+}
+
+/** Options with which no cell is d3-geo's Sphere. */
+export interface CutAtAntimeridian {
+  /** As RFC 7946 has it. */
+  winding?: "counter-clockwise" | undefined;
+  /** As RFC 7946 has it. */
+  antimeridian?: "cut" | undefined;
+}
+
+/** A cell as a geometry: GeoJSON's, or d3-geo's of the whole sphere. */
+export type SphericalGeometry = CellGeometry | { type: "Sphere" };
+
+/** Measures of a cell, in the unit of the radius. */
+export interface SphericalMeasures {
+  /** Area, in the square of that unit; 0 without a cell. */
+  area: number;
+  /** Longitude and latitude, as `cellCentroid`; null without a cell. */
+  centroid: Position | null;
+  /** Length of the boundary; 0 without a cell. */
+  perimeter: number;
 }
 
 /**
@@ -143,8 +167,5 @@ export interface SphericalCollection<Properties = { site: number }> {
   /** GeoJSON's name of it. */
   type: "FeatureCollection";
   /** One feature a cell. */
-  features: (
-    | CellsCollection<Properties>["features"][number]
-    | { type: "Feature"; id: number; properties: Properties; geometry: { type: "Sphere" } }
-  )[];
+  features: { type: "Feature"; id: number; properties: Properties; geometry: SphericalGeometry }[];
 }

@@ -134,7 +134,7 @@ export function cellsIn(view: Voronoi, { frame }: Window, tolerance: number): Ce
   const moments = Array.from(ids, (id) => Voronoi.momentsOf(view, id));
   return moments.map((ownMoments, id): Cell => {
     const outline = view.cellCurves(id);
-    if (outline === null || ownMoments === null || ownMoments.isEmpty)
+    if (outline === null || ownMoments.isEmpty)
       throw new ApolloniusError("no-convergence", "a cell has vanished by rounding");
     const { area, centroidX, centroidY } = ownMoments;
     const toleranceOf = (curve: number) => {

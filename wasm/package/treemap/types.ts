@@ -1,18 +1,10 @@
 // What the entry `apollonius-diagram/treemap` takes and gives.
 import type { DrawOptions, PathContext } from "../core/path.js";
 import type { Bounds, Position, Site } from "../core/types.js";
-import type { Region } from "../shapes/region.js";
+import type { Disc, Region } from "../shapes/region.js";
 import type { CellCircle, CellCircleOptions } from "../shapes/types.js";
 
-/** A disc: its centre and its radius, > 0. */
-export interface Disc {
-  /** Of the centre. */
-  readonly x: number;
-  /** Of the centre. */
-  readonly y: number;
-  /** Radius, > 0. */
-  readonly r: number;
-}
+export type { Disc };
 
 /**
  * What the root's cell can be: bounds, a window of any shape, as `diagram.voronoi` has it, or a

@@ -40,8 +40,7 @@ export async function buildTile({ run, count, store, window, halo, tolerance, ce
       if (at % kAtOnce === 0) await setImmediate();
       // The part of the cell in the tile; whoever wants whole cells joins the parts of an id.
       // Without a tolerance of the plan it is the package's own for cells of that size.
-      const parts = voronoi.cellParts(k, { tolerance, flat: true }) ?? [];
-      const polygons = parts.map((part) => [part, ...part.holes]);
+      const polygons = voronoi.cellParts(k, { tolerance, flat: true }) ?? [];
       const cell = { id: ids[k], area: areas[k], polygons };
       for (const format of cells) encoded[format].push(cellFormats[format].encode(cell));
     }

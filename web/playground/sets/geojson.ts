@@ -30,7 +30,7 @@ export function toGeoJson(app: App) {
     site: id,
     ...sites.labels.get(id),
     ...sites.site(id),
-    area: cells.cellArea(id),
+    area: sites.isHidden(id) ? null : cells.cellArea(id),
     ...(sites.isHidden(id) ? { hidden: true } : {}),
   });
   const shown = cells.toGeoJSON({ tolerance: kTolerance / view.scale, properties });

@@ -155,12 +155,12 @@ function neighboursOf(sites: Sites, id: number) {
 
 /** The whole cell's, or null if it does not end. */
 function areaOf({ diagram, sites, painter }: App, id: number) {
-  if (painter.ends) return short(painter.ends.cellArea(id) ?? 0);
+  if (painter.ends) return short(painter.ends.cellArea(id));
   const { x, y, r } = sites.site(id);
   const reach = kFar * Math.max(r, 1);
   const window = diagram.voronoi([x - reach, y - reach, x + reach, y + reach]);
   const isOpen = window.cellCurves(id)?.neighbors.includes(-1);
-  return isOpen ? null : short(window.cellArea(id) ?? 0);
+  return isOpen ? null : short(window.cellArea(id));
 }
 
 /** How many circles this one covers. */
