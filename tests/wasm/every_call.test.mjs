@@ -162,7 +162,7 @@ const making = {
   constructor: [
     [circles(0, 12), fc.constantFrom(undefined, -1, 0, 2)],
     (all, _, given, r) => {
-      const numbers = r === undefined ? given.flat() : given.flatMap(([x, y]) => [x, y]);
+      const numbers = r === undefined ? given.flat() : given.map(([x, y]) => [x, y]).flat();
       const circles = given.map(([x, y, own]) => [x, y, r ?? own]);
       begin(all, new Diagram(numbers, { r }), circles);
     },

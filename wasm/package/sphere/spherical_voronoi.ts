@@ -54,8 +54,8 @@ type SphericalDiagram = import("./spherical_diagram.js").SphericalDiagram;
 /**
  * The cells of a diagram of the sphere, as measures and polygons: `diagram.voronoi()`. A view
  * always shows the diagram as it is now. Its calls are those of the plane's `Voronoi`. There is no
- * window, so cells have one part, without holes, and none is outside; there are no drawings, as maps are
- * drawn from GeoJSON, and no curves, as bisectors of the sphere are none that files know.
+ * window, so cells have one part, without holes, and none is outside; there are no drawings, as
+ * maps are drawn from GeoJSON, and no curves, as bisectors of the sphere are none that files know.
  *
  * Everywhere: an id without a site throws "unknown-site"; a hidden site, which has no cell, and a
  * cell that ends at its site's centre or before give nothing: null for places and shapes, 0 for
