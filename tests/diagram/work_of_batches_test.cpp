@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <limits>
 #include <ostream>
 
 #include "diagram/bulk_insertion.h"
@@ -80,7 +81,8 @@ Work workOf(const Circles& circles) {
     return questions() / static_cast<double>(n);
   };
   work.building = asked([&] { insertAll(core, sites.xyr, ids); });
-  work.asking = asked([&] { listNearest(core, sites.xy, found, {}); });
+  constexpr double kAnywhere = std::numeric_limits<double>::infinity();
+  work.asking = asked([&] { listNearest(core, sites.xy, kAnywhere, found, {}); });
   // Each site goes where another one was: so all are inserted anew.
   std::vector<SiteId> others(ids.begin() + 1, ids.end());
   others.push_back(ids.front());

@@ -84,7 +84,6 @@ export class Diagram extends SurfaceDiagram<Plane> {
    * naming the item; "bad-option" if an accessor is no function, or an item without r has a
    * `radius`, `size` or `weight`, which nothing would read. Cost: expected O(n log n).
    */
-  static from(xyr: ArrayLike<number>, options?: RadiusOption): Diagram;
   static from<T extends Circular>(items: Items<T>, options?: RadiusOption): Diagram;
   static from<T>(items: Items<T>, x: Accessor<T>, y: Accessor<T>, options?: RadiusOption): Diagram;
   static from<T>(
@@ -94,6 +93,7 @@ export class Diagram extends SurfaceDiagram<Plane> {
     r: Accessor<T> | undefined,
     options?: RadiusOption,
   ): Diagram;
+  static from(xyr: ArrayLike<number>, options?: RadiusOption): Diagram;
   static from(items: Items<unknown>, ...rest: unknown[]): Diagram {
     const [accessors, options] = accessorsAndOptions<unknown, RadiusOption>(rest, "r");
     const reader = readerOf(circles, items, accessors, options);
@@ -107,7 +107,6 @@ export class Diagram extends SurfaceDiagram<Plane> {
    * throws; with the reason of `options.signal` once that aborts; with what accessors or
    * `onProgress` throw; then there is no diagram. Cost: about that of `from`.
    */
-  static fromAsync(xyr: ArrayLike<number>, options?: BuildOptions): Promise<Diagram>;
   static fromAsync<T extends Circular>(items: Items<T>, options?: BuildOptions): Promise<Diagram>;
   static fromAsync<T>(
     items: Items<T>,
@@ -122,6 +121,7 @@ export class Diagram extends SurfaceDiagram<Plane> {
     r: Accessor<T> | undefined,
     options?: BuildOptions,
   ): Promise<Diagram>;
+  static fromAsync(xyr: ArrayLike<number>, options?: BuildOptions): Promise<Diagram>;
   static async fromAsync(items: Items<unknown>, ...rest: unknown[]): Promise<Diagram> {
     const names = ["r", "signal", "onProgress"];
     const [accessors, options] = accessorsAndOptions<unknown, BuildOptions>(rest, ...names);

@@ -70,7 +70,6 @@ export class SphericalDiagram extends SurfaceDiagram<Sphere> {
    * the constructor, naming the item; "bad-option" if an item without r has a `radius`, `size` or
    * `weight`, which nothing would read.
    */
-  static from(lonLatR: ArrayLike<number>, options?: SphericalOptions): SphericalDiagram;
   static from<T extends Spherical>(
     items: Items<T> | { readonly type: "FeatureCollection"; readonly features: Items<T> },
     options?: SphericalOptions,
@@ -88,6 +87,7 @@ export class SphericalDiagram extends SurfaceDiagram<Sphere> {
     r: Accessor<T> | undefined,
     options?: SphericalOptions,
   ): SphericalDiagram;
+  static from(lonLatR: ArrayLike<number>, options?: SphericalOptions): SphericalDiagram;
   static from(items: unknown, ...rest: unknown[]): SphericalDiagram {
     const names = ["radius", "r"];
     const [accessors, options] = accessorsAndOptions<unknown, SphericalOptions>(rest, ...names);
@@ -102,10 +102,6 @@ export class SphericalDiagram extends SurfaceDiagram<Sphere> {
    * with the reason of `options.signal` once that aborts; with what accessors or `onProgress`
    * throw. Then there is no diagram. Cost: about that of `from`.
    */
-  static fromAsync(
-    lonLatR: ArrayLike<number>,
-    options?: SphericalBuildOptions,
-  ): Promise<SphericalDiagram>;
   static fromAsync<T extends Spherical>(
     items: Items<T> | { readonly type: "FeatureCollection"; readonly features: Items<T> },
     options?: SphericalBuildOptions,
@@ -121,6 +117,10 @@ export class SphericalDiagram extends SurfaceDiagram<Sphere> {
     lon: Accessor<T>,
     lat: Accessor<T>,
     r: Accessor<T> | undefined,
+    options?: SphericalBuildOptions,
+  ): Promise<SphericalDiagram>;
+  static fromAsync(
+    lonLatR: ArrayLike<number>,
     options?: SphericalBuildOptions,
   ): Promise<SphericalDiagram>;
   static async fromAsync(items: unknown, ...rest: unknown[]): Promise<SphericalDiagram> {
