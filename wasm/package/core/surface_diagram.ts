@@ -4,7 +4,6 @@
 import { DynamicDiagram } from "./dynamic_diagram.js";
 import { insert, insertMany, update, updateMany } from "./edits.js";
 import { innerOf } from "./inner.js";
-import type { AnyNative } from "./native/module.js";
 import {
   farthest,
   find,
@@ -18,7 +17,7 @@ import {
   within,
   withinMany,
 } from "./queries.js";
-import { ofOne, type Space } from "./space.js";
+import { ofOne } from "./space.js";
 import type {
   FilterOptions,
   FindOptions,
@@ -258,7 +257,8 @@ abstract class Written extends DynamicDiagram<object> implements SurfaceCalls<Su
 
 /** A diagram of a surface. */
 export type SurfaceDiagram<S extends Surface> = DynamicDiagram<S["listed"]> & SurfaceCalls<S>;
+// Declarations of the package reach this one: it names no type of the module's.
 export const SurfaceDiagram = Written as unknown as abstract new <S extends Surface>(
-  native: AnyNative,
-  space: Space,
+  native: object,
+  space: object,
 ) => SurfaceDiagram<S>;
