@@ -1,6 +1,6 @@
 // npm run docs: docs/API.md from the comments and types of wasm/package, and docs/examples.
 // tests/wasm/reference.test.mjs fails where the two disagree.
-import { writeFileSync } from "node:fs";
+import { readFileSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { pathToFileURL } from "node:url";
 import { readExamples } from "./examples.mjs";
@@ -35,8 +35,8 @@ rounded to the digits shown.
 `;
 
 /**
- * The declarations of an export: of an interface that extends a class of its own name (wasm/package/
- * shapes/methods.ts) first those of that class, to which it adds.
+ * The declarations of an export: of an interface that extends a class of its own name, as in
+ * wasm/package/shapes/methods.ts, first those of that class, to which it adds.
  */
 function declarationsOf(checker, symbol) {
   const added = symbol.declarations.filter(ts.isInterfaceDeclaration);
@@ -358,6 +358,27 @@ function markdownOf(part, examples) {
   return lines.join("\n");
 }
 
+/** What one surface has and the other has not, and why (tools/surfaces.json), as Markdown. */
+function surfaces() {
+  const table = JSON.parse(readFileSync(path.join(root, "tools/surfaces.json"), "utf8"));
+  const said = ({ plane, sphere, reason }) => {
+    const names = (plane ?? sphere).split("; ").map((part) => {
+      const [of, ...rest] = part.split(".");
+      const own = plane ? of : `Spherical${of}`;
+      const members = rest.join(".").split(", ");
+      return `\`${own}\`: ${members.map((member) => `\`${member}\``).join(", ")}`;
+    });
+    return `- ${names.join("; ")}. ${reason}`;
+  };
+  const kinds = [
+    ["Only one of the two surfaces has these members", table.members],
+    ["these parameters", table.parameters],
+    ["these options", table.options],
+    ["these answers", table.answers],
+  ];
+  return kinds.map(([title, list]) => `${title}:\n\n${list.map(said).join("\n")}\n`);
+}
+
 export function reference() {
   const described = describePackage();
   for (const { file, entry } of readExamples())
@@ -370,6 +391,7 @@ export function reference() {
       const examples = examplesFor(one);
       return [
         `# Entry \`${one.entry}\`\n\nExports ${names.join(", ")}.\n`,
+        ...(one.entry.endsWith("/sphere") ? surfaces() : []),
         ...one.described.map((part) => markdownOf(part, examples)),
       ];
     }),

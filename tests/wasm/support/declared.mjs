@@ -32,7 +32,10 @@ export function declared(folder = path.join(packed, "node_modules/apollonius-dia
   return { checker, exportsOf, isOwn };
 }
 
-/** The parameters of a signature, of which the last may be a tuple of names: { name, type, isOptional }. */
+/**
+ * The parameters of a signature, of which the last may be a tuple of names: { name, type,
+ * isOptional }.
+ */
 export function parametersOf(checker, signature) {
   return signature.getParameters().flatMap((symbol) => {
     const declaration = symbol.valueDeclaration;
@@ -66,8 +69,8 @@ export function nameOf({ name }) {
 
 /**
  * The package's own types that what is exported takes or gives, and that is not exported itself,
- * each with a way to it: "sphere > SphericalDiagram > UpdateOptions". Classes that are only extended
- * (or by an exported one of their name) need not be exported, but what their members take and give.
+ * each with a way to it: "sphere > SphericalDiagram > UpdateOptions". Classes that are only
+ * extended (or by an exported one of their name) need not be, but what their members take and give.
  */
 export function forgottenExports({ checker, isOwn }, exported, entry) {
   const all = new Set(exported);
@@ -85,7 +88,8 @@ export function forgottenExports({ checker, isOwn }, exported, entry) {
   const visit = (name, way, isBase) => visitSymbol(checker.getSymbolAtLocation(name), way, isBase);
   const visitSymbol = (symbol, way, isBase) => {
     if (symbol === undefined || symbol.flags & ts.SymbolFlags.TypeParameter) return;
-    const target = symbol.flags & ts.SymbolFlags.Alias ? checker.getAliasedSymbol(symbol) : symbol;
+    const isAliased = symbol.flags & ts.SymbolFlags.Alias;
+    const target = isAliased ? checker.getAliasedSymbol(symbol) : symbol;
     if (!isOwn(target) || seen.get(isBase).has(target)) return;
     seen.get(isBase).add(target);
     const further = `${way} > ${target.name}`;

@@ -175,7 +175,7 @@ export class Diagram extends SurfaceDiagram<Plane> {
     return listed(() => this.sites());
   }
 
-  // --- Cells and drawings: of shapes (methods.ts), and until that is imported errors --------------
+  // --- Cells and drawings: errors, until the default entry has put its calls here (methods.ts) ---
 
   /** @internal */
   voronoi(): unknown {

@@ -1,6 +1,6 @@
 // Windows, drawings and the enclosing circle as methods of Diagram: what the default entry adds to
-// that of `apollonius-diagram/core`, which is the same class. Its types are the default entry's own,
-// so that who imports only core is not promised what is not there.
+// that of `apollonius-diagram/core`, which is the same class. The types are the default entry's
+// own: who imports only core is not promised what is not there.
 import type { Accessor, Circular, Items } from "../core/accessors.js";
 import { Diagram as Core } from "../core/diagram.js";
 import type { DrawOptions, PathContext } from "../core/path.js";
