@@ -31,7 +31,7 @@ function readmeBlocks() {
   const blocks = blocksOf("README.md");
   const globe = blocks.find(([, code]) => code.includes("const globe ="))[1];
   return blocks.map(([name, code]) => {
-    if (code.startsWith("const cells = globe")) return [name, `${globe}${code}`];
+    if (code.startsWith("const view = globe")) return [name, `${globe}${code}`];
     const isWhole = code.includes("import ");
     return [name, isWhole ? code : `import { Diagram } from "apollonius-diagram";\n${code}`];
   });

@@ -70,11 +70,13 @@ export class SphericalDiagram extends SurfaceDiagram<Sphere> {
    * the constructor, naming the item; "bad-option" if an item without r has a `radius`, `size` or
    * `weight`, which nothing would read.
    */
-  static from(lonLatR: ArrayLike<number>, options?: SphericalOptions): SphericalDiagram;
+  // First that of items: the words of GeoJSON in what a function gives are taken for strings by an
+  // overload that expects none.
   static from<T extends Spherical>(
     items: Items<T> | { readonly type: "FeatureCollection"; readonly features: Items<T> },
     options?: SphericalOptions,
   ): SphericalDiagram;
+  static from(lonLatR: ArrayLike<number>, options?: SphericalOptions): SphericalDiagram;
   static from<T>(
     items: Items<T>,
     lon: Accessor<T>,
@@ -102,12 +104,12 @@ export class SphericalDiagram extends SurfaceDiagram<Sphere> {
    * with the reason of `options.signal` once that aborts; with what accessors or `onProgress`
    * throw. Then there is no diagram. Cost: about that of `from`.
    */
-  static fromAsync(
-    lonLatR: ArrayLike<number>,
-    options?: SphericalBuildOptions,
-  ): Promise<SphericalDiagram>;
   static fromAsync<T extends Spherical>(
     items: Items<T> | { readonly type: "FeatureCollection"; readonly features: Items<T> },
+    options?: SphericalBuildOptions,
+  ): Promise<SphericalDiagram>;
+  static fromAsync(
+    lonLatR: ArrayLike<number>,
     options?: SphericalBuildOptions,
   ): Promise<SphericalDiagram>;
   static fromAsync<T>(
