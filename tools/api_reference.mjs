@@ -1,6 +1,6 @@
 // npm run docs: docs/API.md from the comments and types of wasm/package, and docs/examples.
 // tests/wasm/reference.test.mjs fails where the two disagree.
-import { writeFileSync } from "node:fs";
+import { readFileSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { pathToFileURL } from "node:url";
 import { readExamples } from "./examples.mjs";
@@ -34,23 +34,26 @@ are NaN, or 0 if they are areas or lengths. In examples, the comment after a lin
 rounded to the digits shown.
 `;
 
-/** The class of which an exported value is another name; otherwise the symbol itself. */
-function classOf(checker, symbol) {
-  const value = symbol.valueDeclaration;
-  if (value === undefined || !ts.isVariableDeclaration(value)) return symbol;
-  const known = checker.getTypeAtLocation(value).symbol;
-  return known?.flags & ts.SymbolFlags.Class ? known : symbol;
+/**
+ * The declarations of an export: of an interface that extends a class of its own name, as in
+ * wasm/package/shapes/methods.ts, first those of that class, to which it adds.
+ */
+function declarationsOf(checker, symbol) {
+  const added = symbol.declarations.filter(ts.isInterfaceDeclaration);
+  const bases = added.flatMap((one) => checker.getTypeAtLocation(one).getBaseTypes?.() ?? []);
+  const base = bases.find((one) => one.symbol?.name === symbol.name);
+  return base ? [...base.symbol.declarations, ...added] : symbol.declarations;
 }
 
 /**
  * The exports of an entry by name, in the order of the files; `additions` are what another file
- * adds to a class (wasm/package/shapes/methods.ts), and further signatures.
+ * adds to a class, and further signatures.
  */
 function exportsOf(checker, program, file) {
   const source = program.getSourceFile(path.join(root, "wasm/package", file));
   return checker.getExportsOfModule(checker.getSymbolAtLocation(source)).map((symbol) => {
     const target = symbol.flags & ts.SymbolFlags.Alias ? checker.getAliasedSymbol(symbol) : symbol;
-    const [declaration, ...additions] = classOf(checker, target).declarations;
+    const [declaration, ...additions] = declarationsOf(checker, target);
     return { name: symbol.name, declaration, additions };
   });
 }
@@ -116,6 +119,7 @@ function isPublic(member) {
 function memberName(member) {
   if (ts.isConstructorDeclaration(member)) return "constructor";
   if (ts.isCallSignatureDeclaration(member)) return "()";
+  if (ts.isConstructSignatureDeclaration(member)) return "new";
   return member.name.getText().replace(/^\[(.*)\]$/, "$1");
 }
 
@@ -185,6 +189,11 @@ function groupsOf(members) {
   );
 }
 
+/** The inherited member of the name of a member; if there is none, that one itself. */
+function overriddenBy(member, inherited) {
+  return inherited.find((one) => one.name?.getText() === member.name?.getText()) ?? member;
+}
+
 function describe({ name, declaration, additions }, checker) {
   const kind = ts.isClassDeclaration(declaration)
     ? "class"
@@ -203,13 +212,15 @@ function describe({ name, declaration, additions }, checker) {
           ...one.members,
         ])
       : [];
-  const all = kind === "class" ? [...own, ...inherited] : [...inherited, ...own];
+  const ownNames = new Set(own.map((member) => member.name?.getText()));
+  const others = inherited.filter((member) => !ownNames.has(member.name?.getText()));
+  const all = kind === "class" ? [...own, ...inherited] : [...others, ...own];
   const groups = groupsOf(all);
   for (const member of all.filter(isPublic)) {
     if (ts.isClassStaticBlockDeclaration(member) || ts.isSemicolonClassElement(member)) continue;
     const described = {
       name: memberName(member),
-      text: comment(member),
+      text: comment(member) || comment(overriddenBy(member, inherited)),
       code: /\.\.\.args: |: S\[/.test(signature(member))
         ? spelledOut(member, declaration, checker)
         : signature(member),
@@ -220,8 +231,9 @@ function describe({ name, declaration, additions }, checker) {
       (other) => other.name === described.name && other.isStatic === described.isStatic,
     );
     if (!overloaded) members.push(described);
-    // the one with the body is not public
-    else if (!member.body) overloaded.code += `\n${described.code}`;
+    // the one with the body is not public, and a property has one type
+    else if (!member.body && !ts.isPropertySignature(member))
+      overloaded.code += `\n${described.code}`;
   }
   // Of several signatures, the one with the body is not public.
   const signatures = [declaration, ...additions].filter((one) => !one.body || one === declaration);
@@ -346,6 +358,27 @@ function markdownOf(part, examples) {
   return lines.join("\n");
 }
 
+/** What one surface has and the other has not, and why (tools/surfaces.json), as Markdown. */
+function surfaces() {
+  const table = JSON.parse(readFileSync(path.join(root, "tools/surfaces.json"), "utf8"));
+  const said = ({ plane, sphere, reason }) => {
+    const names = (plane ?? sphere).split("; ").map((part) => {
+      const [of, ...rest] = part.split(".");
+      const own = plane ? of : `Spherical${of}`;
+      const members = rest.join(".").split(", ");
+      return `\`${own}\`: ${members.map((member) => `\`${member}\``).join(", ")}`;
+    });
+    return `- ${names.join("; ")}. ${reason}`;
+  };
+  const kinds = [
+    ["Only one of the two surfaces has these members", table.members],
+    ["these parameters", table.parameters],
+    ["these options", table.options],
+    ["these answers", table.answers],
+  ];
+  return kinds.map(([title, list]) => `${title}:\n\n${list.map(said).join("\n")}\n`);
+}
+
 export function reference() {
   const described = describePackage();
   for (const { file, entry } of readExamples())
@@ -358,6 +391,7 @@ export function reference() {
       const examples = examplesFor(one);
       return [
         `# Entry \`${one.entry}\`\n\nExports ${names.join(", ")}.\n`,
+        ...(one.entry.endsWith("/sphere") ? surfaces() : []),
         ...one.described.map((part) => markdownOf(part, examples)),
       ];
     }),

@@ -359,7 +359,7 @@ test("at the end of the stack, the first use is no lack of memory", () => {
   ).toBe("RangeError 0");
 });
 
-test("types: ES modules, CommonJS, NodeNext and Bundler resolution, old and new libraries", () => {
+test("types: ES modules, CommonJS, all ways of resolution, old and new libraries", () => {
   compileUsers(path.join(root, "node_modules/typescript/bin/tsc"));
 });
 
@@ -504,16 +504,62 @@ test("diagrams are the same objects, whatever entry made them", () => {
     import { Diagram, load } from "apollonius-diagram/core";
     await load();
     const d = new Diagram([0, 0, 1, 9, 0, 2]);
-    console.log(typeof d.voronoi, d.find(8, 0));
+    console.log(d.find(8, 0));
     const { voronoi, render, renderSites, renderHull } = await import("apollonius-diagram/shapes");
-    console.log(typeof d.voronoi, voronoi(d, [0, 0, 10, 10]).cellAreas().length);
+    console.log(voronoi(d, [0, 0, 10, 10]).cellAreas().length);
     console.log([render, renderSites, renderHull].map((draw) => draw(d).length > 0).join(" "));
     const full = await import("apollonius-diagram");
     const wasm = await import("apollonius-diagram/wasm");
     console.log(full.Diagram === Diagram, wasm.Diagram === Diagram, d instanceof full.Diagram);
     console.log(d.voronoi([0, 0, 10, 10]).cellAreas().length, d.renderHull() === renderHull(d));
     console.log(full.Diagram.fromBytes(d.toBytes()).find(8, 0));`).split("\n"),
-  ).toEqual(["undefined 1", "undefined 2", "true true true", "true true true", "2 true", "1"]);
+  ).toEqual(["1", "2", "true true true", "true true true", "2 true", "1"]);
+});
+
+test("a call of a part that is not imported says which import brings it", () => {
+  const calls = [
+    "voronoi([0, 0, 1, 1])",
+    "edges({ clearance: true })",
+    "render()",
+    "renderSites()",
+    "renderHull()",
+    "smallestEnclosingCircle()",
+  ];
+  const lines = runInNode(`
+    import { ApolloniusError, Diagram } from "apollonius-diagram/core";
+    const d = new Diagram([0, 0, 1, 9, 0, 2]);
+    const names = () => Object.getOwnPropertyNames(Diagram.prototype).sort().join();
+    const before = names();
+    const calls = [${calls.map((call) => `() => d.${call}`)}];
+    const said = (call) => {
+      try { call(); return "done"; } catch (error) {
+        return error instanceof ApolloniusError ? error.code + " " + error.message : error.name;
+      }
+    };
+    calls.forEach((call) => console.log(said(call)));
+    console.log(d.edges().sites.length, d.validate());
+    const shapes = await import("apollonius-diagram/shapes");
+    console.log(calls.map(said).filter((one) => /^not-loaded/.test(one)).length);
+    console.log(Object.keys(shapes).join());
+    const { Diagram: whole } = await import("apollonius-diagram");
+    console.log(whole === Diagram, names() === before, calls.map(said).join());`).split("\n");
+  const names = calls.map((call) => /^\w+/.exec(call)[0]);
+  const inShapes = lines.at(-2).split(",");
+  for (const [k, name] of names.entries()) {
+    expect(lines[k]).toMatch(
+      new RegExp(
+        `^not-loaded diagram\\.${name} comes with "apollonius-diagram", ` +
+          `${name}\\(diagram\\) with "apollonius-diagram/shapes": import one$`,
+      ),
+    );
+    expect(inShapes).toContain(name);
+  }
+  expect(lines.slice(names.length)).toEqual([
+    "2 null",
+    "6",
+    lines.at(-2),
+    `true true ${Array(6).fill("done").join()}`,
+  ]);
 });
 
 test("a part is compiled at its first use; where it cannot be, a later call tries again", () => {

@@ -4,4 +4,4 @@ import "./shapes_edge.js";
 export * from "./core_edge.js";
 export * from "./shapes/api.js";
 export { enclose } from "./shapes/enclose.js";
-export { Diagram } from "./shapes/methods.js";
+export { Diagram, type DiagramClass, type Voronoi } from "./shapes/methods.js";

@@ -5,7 +5,7 @@ import { load as loadShapes } from "./shapes.js";
 export * from "./core/api.js";
 export * from "./shapes/api.js";
 export { enclose } from "./shapes/enclose.js";
-export { Diagram } from "./shapes/methods.js";
+export { Diagram, type DiagramClass, type Voronoi } from "./shapes/methods.js";
 
 /**
  * Compiles the wasm ahead of its first use and off the main thread. Optional: without it the first

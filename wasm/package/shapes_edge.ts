@@ -4,6 +4,7 @@ import { setSource } from "./core/native/module.js";
 
 export * from "./shapes/api.js";
 export {
+  edges,
   render,
   renderHull,
   renderSites,

@@ -14,7 +14,7 @@ import { ApolloniusError } from "./errors.js";
 export * from "./core/api.js";
 export * from "./shapes/api.js";
 export { enclose } from "./shapes/enclose.js";
-export { Diagram } from "./shapes/methods.js";
+export { Diagram, type DiagramClass, type Voronoi } from "./shapes/methods.js";
 export * from "./sphere/api.js";
 export * from "./treemap/api.js";
 

@@ -143,6 +143,66 @@ const sides: string = view.renderBounds(null, { digits: 2 });
 export { nearest, ids, code, wrong, early, flat, notFlat, either, firstCell, outcome, later };
 export { path, point, sides, geometry, mesh, area, limited };
 `;
+// The entries among each other: their types are the same, or say what is not there.
+const together = `
+import { Diagram, type DiagramClass, type Voronoi } from "apollonius-diagram";
+import { Diagram as Core } from "apollonius-diagram/core";
+import { edges, renderSites, voronoi, type Voronoi as View } from "apollonius-diagram/shapes";
+import { SphericalDiagram } from "apollonius-diagram/sphere";
+import { treemap } from "apollonius-diagram/treemap";
+import {
+  Diagram as Separate, SphericalDiagram as SeparateGlobe, treemap as separateTreemap,
+  type Voronoi as SeparateVoronoi,
+} from "apollonius-diagram/wasm";
+
+const whole = new Diagram([0, 0, 1]);
+const bare: Core = whole;
+const same: Separate = whole;
+const back: Diagram = same;
+const globe: SeparateGlobe = new SphericalDiagram();
+const layouts: typeof separateTreemap = treemap;
+const view: Voronoi = whole.voronoi([0, 0, 1, 1]);
+const separate: SeparateVoronoi = view;
+const ofShapes: View[] = [view, voronoi(whole), voronoi(bare)];
+const again: Voronoi = view.diagram.voronoi();
+const drawn: string[] = [renderSites(bare), whole.renderSites()];
+const gaps: Float64Array = edges(bare, { clearance: true }).clearance;
+const made: DiagramClass = Diagram;
+const paths: string[] = [
+  Diagram.from([[0, 0]]).render(), Diagram.from([1], (x) => x, (x) => x).render(),
+  Diagram.fromBytes(whole.toBytes()).render(), made.from(whole, { r: 1 }).renderHull(),
+  whole.update(0, 1, 1).render(),
+];
+Diagram.fromAsync([[0, 0]]).then((diagram) => diagram.smallestEnclosingCircle()?.sites);
+// @ts-expect-error: shapes has it
+bare.voronoi();
+// @ts-expect-error: so has it this one
+bare.edges({ clearance: true });
+// @ts-expect-error: a part of the other
+const missing: Diagram = bare;
+// @ts-expect-error: whose diagram may have no methods of shapes
+const wrongView: Voronoi = ofShapes[0]!;
+// @ts-expect-error: another surface
+const flat: Core = globe;
+
+class Mine extends Diagram {
+  readonly label = "mine";
+  override insert(x: number, y: number, r: number = 1): number {
+    return super.insert(x, y, r);
+  }
+  area(): number {
+    return this.voronoi().cellAreas().length + this.size;
+  }
+}
+const mine = new Mine([0, 0], { r: 1 });
+const asWhole: Diagram = mine;
+export function cells(one: unknown): Voronoi | string | null {
+  if (one instanceof Mine) return one.label;
+  if (one instanceof Core) one.find(0, 0);
+  return one instanceof Diagram ? one.voronoi() : null;
+}
+export { again, asWhole, back, drawn, flat, gaps, layouts, missing, paths, separate, wrongView };
+`;
 // needs TypeScript 5.2 and its library
 const using = "{ using scoped = new Diagram([0, 0, 1]); scoped.size; }\n";
 const separate =
@@ -161,33 +221,43 @@ const strict = {
 const newest = { target: "ES2022", lib: ["ES2023", "ESNext.Disposable", "DOM"] };
 const oldest = { target: "ES2020", lib: ["ES2020", "DOM"] };
 
+/** By the way of resolution, what chooses it, and how files end for it. */
+const resolutions = {
+  node10: [{ module: "CommonJS", moduleResolution: "Node10" }, ["cts"]],
+  node16: [{ module: "Node16" }, ["mts", "cts"]],
+  nodenext: [{ module: "NodeNext" }, ["mts", "cts"]],
+  bundler: [{ module: "ESNext", moduleResolution: "Bundler" }, ["mts"]],
+};
+
 /**
- * Compiles users of the package, as ES modules and CommonJS: with the newest library and both ways
+ * Compiles users of the package, as ES modules and CommonJS: with the newest library and all ways
  * of resolution, and with ES2020's library. Throws what the compiler says if it finds
  * an error.
  * @param {string} tsc the program
+ * @param {string[]} without ways of resolution that it does not know
  */
-export function compileUsers(tsc) {
+export function compileUsers(tsc, without = []) {
   for (const [age, options] of Object.entries({ newest, oldest })) {
     const folder = path.join(packed, `types-${age}`);
     mkdirSync(folder, { recursive: true });
-    const write = (name, text) => writeFileSync(path.join(folder, name), text);
-    const text = age === "newest" ? consumer + using : consumer;
-    write("esm.mts", text);
-    write("cjs.cts", text);
-    write("separate.mts", separate);
-    const nodeNext = ["NodeNext", { module: "NodeNext" }, ["esm.mts", "cjs.cts", "separate.mts"]];
-    const bundler = [
-      "Bundler",
-      { module: "ESNext", moduleResolution: "Bundler" },
-      ["esm.mts", "separate.mts"],
-    ];
-    for (const [name, compilerOptions, files] of age === "newest"
-      ? [nodeNext, bundler]
-      : [nodeNext]) {
-      const config = { compilerOptions: { ...strict, ...options, ...compilerOptions }, files };
-      write(`${name}.json`, JSON.stringify(config));
-      capture(process.execPath, [tsc, "-p", path.join(folder, `${name}.json`)]);
+    const programs = {
+      user: age === "newest" ? consumer + using : consumer,
+      separate,
+      together,
+    };
+    const ways = age === "newest" ? Object.keys(resolutions) : ["nodenext"];
+    for (const way of ways.filter((one) => !without.includes(one))) {
+      const [resolution, endings] = resolutions[way];
+      const files = [];
+      for (const [name, text] of Object.entries(programs)) {
+        for (const ending of endings) {
+          files.push(`${name}.${ending}`);
+          writeFileSync(path.join(folder, files.at(-1)), text);
+        }
+      }
+      const config = { compilerOptions: { ...strict, ...options, ...resolution }, files };
+      writeFileSync(path.join(folder, `${way}.json`), JSON.stringify(config));
+      capture(process.execPath, [tsc, "-p", path.join(folder, `${way}.json`)]);
     }
   }
 }

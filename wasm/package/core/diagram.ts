@@ -18,13 +18,14 @@ import { filtering } from "./filters.js";
 import { nativeOf, planarOf } from "./inner.js";
 import { listed } from "./inspection.js";
 import { fillOrDispose } from "./native/lifetime.js";
-import { runningModule } from "./native/module.js";
+import { notLoaded, runningModule } from "./native/module.js";
 import { checkedFilterOptions } from "./queries.js";
 import { plane } from "./space.js";
 import { SurfaceDiagram } from "./surface_diagram.js";
 import { type Triangulation, triangulationOf } from "./triangulation.js";
 import type {
   BuildOptions,
+  Edges,
   FilterOptions,
   ListedSite,
   RadiusOption,
@@ -33,6 +34,13 @@ import type {
   SnapshotOptions,
   Vertices,
 } from "./types.js";
+
+/** The error of a call that diagrams have once the default entry is imported. */
+const notImported = (call: string) =>
+  notLoaded(
+    `diagram.${call} comes with "apollonius-diagram", ${call}(diagram) with ` +
+      '"apollonius-diagram/shapes": import one',
+  );
 
 /** The names of the plane. */
 interface Plane {
@@ -165,6 +173,39 @@ export class Diagram extends SurfaceDiagram<Plane> {
    */
   [Symbol.iterator](): Generator<ListedSite, void> {
     return listed(() => this.sites());
+  }
+
+  // --- Cells and drawings: errors, until the default entry has put its calls here (methods.ts) ---
+
+  /** @internal */
+  voronoi(): unknown {
+    throw notImported("voronoi");
+  }
+
+  /** @internal */
+  override edges(options?: object): Edges {
+    if (options !== undefined) throw notImported("edges");
+    return super.edges();
+  }
+
+  /** @internal */
+  render(): unknown {
+    throw notImported("render");
+  }
+
+  /** @internal */
+  renderSites(): unknown {
+    throw notImported("renderSites");
+  }
+
+  /** @internal */
+  renderHull(): unknown {
+    throw notImported("renderHull");
+  }
+
+  /** @internal */
+  smallestEnclosingCircle(): unknown {
+    throw notImported("smallestEnclosingCircle");
   }
 
   // --- The nearest sites -------------------------------------------------------------------------

@@ -257,7 +257,7 @@ abstract class Written extends DynamicDiagram<object> implements SurfaceCalls<Su
 
 /** A diagram of a surface. */
 export type SurfaceDiagram<S extends Surface> = DynamicDiagram<S["listed"]> & SurfaceCalls<S>;
-// Declared without the types of the wasm module, which users' compilers do not have.
+// Declarations of the package reach this one: it names no type of the module's.
 export const SurfaceDiagram = Written as unknown as abstract new <S extends Surface>(
   native: object,
   space: object,

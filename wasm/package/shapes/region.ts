@@ -3,10 +3,11 @@ import { described, isArrayLike, numberError, plainView } from "../core/argument
 import type { Bounds } from "../core/types.js";
 import { ApolloniusError } from "../errors.js";
 
-/** A point; further numbers (heights) are ignored. */
-type Point = ArrayLike<number>;
-/** A closed ring: points, or flat x, y, … (the first one may be repeated at the end). */
-export type Ring = ArrayLike<Point> | ArrayLike<number>;
+/**
+ * A closed ring: points, of which further numbers (heights) are ignored, or flat x, y, … (the first
+ * one may be repeated at the end).
+ */
+export type Ring = ArrayLike<ArrayLike<number>> | ArrayLike<number>;
 
 /** What a GeoJSON object needs to be a window. */
 export type GeoJSONRegion =

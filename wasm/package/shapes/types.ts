@@ -271,7 +271,7 @@ export interface Measures {
   /** Area; 0 if no part of the cell is inside. */
   area: number;
   /** null if the area is 0. */
-  centroid: [number, number] | null;
+  centroid: Position | null;
   /** Length of the boundary, the window's parts included. */
   perimeter: number;
 }

@@ -548,7 +548,7 @@ export class Voronoi implements Disposable {
   }
 
   /** Centroid of a cell inside the window; null if no part of it is. */
-  cellCentroid(id: number): [number, number] | null {
+  cellCentroid(id: number): Position | null {
     const { centroidX, centroidY, isEmpty } = Voronoi.#moments(this, id);
     return isEmpty ? null : [centroidX, centroidY];
   }

@@ -44,5 +44,7 @@ export type {
   NearestSites,
   PickOptions,
   Position,
+  RadiusOption,
+  UpdateOptions,
   WithinManyOptions,
 } from "../core/types.js";

@@ -70,10 +70,13 @@ export class SphericalDiagram extends SurfaceDiagram<Sphere> {
    * the constructor, naming the item; "bad-option" if an item without r has a `radius`, `size` or
    * `weight`, which nothing would read.
    */
+  // First that of items: the words of GeoJSON in what a function gives are taken for strings by an
+  // overload that expects none.
   static from<T extends Spherical>(
     items: Items<T> | { readonly type: "FeatureCollection"; readonly features: Items<T> },
     options?: SphericalOptions,
   ): SphericalDiagram;
+  static from(lonLatR: ArrayLike<number>, options?: SphericalOptions): SphericalDiagram;
   static from<T>(
     items: Items<T>,
     lon: Accessor<T>,
@@ -104,6 +107,10 @@ export class SphericalDiagram extends SurfaceDiagram<Sphere> {
    */
   static fromAsync<T extends Spherical>(
     items: Items<T> | { readonly type: "FeatureCollection"; readonly features: Items<T> },
+    options?: SphericalBuildOptions,
+  ): Promise<SphericalDiagram>;
+  static fromAsync(
+    lonLatR: ArrayLike<number>,
     options?: SphericalBuildOptions,
   ): Promise<SphericalDiagram>;
   static fromAsync<T>(
