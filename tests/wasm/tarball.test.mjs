@@ -18,11 +18,12 @@ const files = readdirSync(installed, { recursive: true }).filter((file) =>
 const isOfEntry = /^dist\/(esm|cjs)\/(\w+\.js|\w+\/part\.js|(\w+\/)?\w+\.d\.ts)$/;
 
 test("holds what users need and no more", () => {
-  const entries = ["index", "core", "shapes", "sphere", "treemap", "wasm"].flatMap((name) =>
-    ["esm", "cjs"].flatMap((format) => [
-      `dist/${format}/${name}.js`,
-      `dist/${format}/${name}.d.ts`,
-    ]),
+  const entries = ["index", "core", "shapes", "sphere", "treemap", "diagnostics", "wasm"].flatMap(
+    (name) =>
+      ["esm", "cjs"].flatMap((format) => [
+        `dist/${format}/${name}.js`,
+        `dist/${format}/${name}.d.ts`,
+      ]),
   );
   expect(files).toEqual(
     expect.arrayContaining([

@@ -1,7 +1,8 @@
-// Every public call of Diagram and Voronoi: one use of it that works, and what it refuses with
-// which code and words. Tests check that nothing is missing here, neither a member of the classes
-// nor a code that the documentation names.
+// Every public call of Diagram and Voronoi, and those of diagnostics: one use of it that works, and
+// what it refuses with which code and words. Tests check that nothing is missing here, neither a
+// member of the classes nor a code that the documentation names.
 import { Diagram } from "../../../build/packed/consumer.mjs";
+import { levels, validate } from "../../../build/packed/diagnostics.mjs";
 import {
   NONE,
   aspects,
@@ -291,7 +292,6 @@ export const diagramCalls = {
   neighbors: ofSite("neighbors"),
   edges: edgesBy((d, options) => d.edges(options)),
   vertices: works((d) => d.vertices()),
-  levels: works((d) => d.levels()),
   voronoi: {
     use: (d) => d.voronoi(),
     refuses: [
@@ -325,7 +325,6 @@ export const diagramCalls = {
   smallestEnclosingCircle: works((d) => d.smallestEnclosingCircle()),
   toBytes: works((d) => d.toBytes()),
   toJSON: works((d) => d.toJSON()),
-  validate: works((d) => d.validate()),
 };
 
 export const voronoiCalls = {
@@ -548,8 +547,17 @@ export const voronoiCalls = {
   cellPerimeters: works(inWindow((v) => v.cellPerimeters())),
 };
 
+const noDiagram = (call) => [
+  ["bad-option", () => call({}), "a method was called on an object, expected a diagram"],
+];
+export const diagnosticsCalls = {
+  levels: { use: (d) => levels(d), refuses: noDiagram(levels) },
+  validate: { use: (d) => validate(d), refuses: noDiagram(validate) },
+};
+
 /** All of them: [name, { use, refuses, isAsync }]; those that are give promises. */
 export const calls = [
   ...Object.entries(diagramCalls).map(([name, call]) => [`Diagram.${name}`, call]),
   ...Object.entries(voronoiCalls).map(([name, call]) => [`Voronoi.${name}`, call]),
+  ...Object.entries(diagnosticsCalls).map(([name, call]) => [`diagnostics.${name}`, call]),
 ];

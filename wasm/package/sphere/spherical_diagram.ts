@@ -220,7 +220,7 @@ export class SphericalDiagram extends SurfaceDiagram<Sphere> {
     return SphericalVoronoi.of(this, options);
   }
 
-  // --- Saving and checking -----------------------------------------------------------------------
+  // --- Saving ------------------------------------------------------------------------------------
 
   /** "SphericalDiagram". O(1). */
   get [Symbol.toStringTag](): string {
