@@ -536,7 +536,7 @@ test("diagnostics bring no wasm, and work on diagrams of every entry", () => {
         console.log(codeOf(() => validate(d)), codeOf(() => levels(d)));
       })();`;
     const seen = (text) => text.split("\n");
-    const ofPlane = name === "Diagram" ? "1,1,1" : "bad-option";
+    const ofPlane = name === "Diagram" ? "1,2,1" : "bad-option";
     const expected = [
       "not-loaded bad-option bad-option",
       `null ${ofPlane} number`,

@@ -28,7 +28,7 @@ const needed = {
   "Diagram.renderHull": "shapes",
   "Diagram.smallestEnclosingCircle": "shapes",
 };
-const partOf = (name) => needed[name] ?? (name.startsWith("Diagram.") ? "core" : "shapes");
+const partOf = (name) => needed[name] ?? (name.startsWith("Voronoi.") ? "shapes" : "core");
 
 test.each(calls.map(([name, { use }]) => [name, use]))("%s", async (name, use) => {
   const diagram = new Diagram(circles);

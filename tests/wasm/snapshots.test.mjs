@@ -62,20 +62,6 @@ test("few sites, and none", () => {
   }
 });
 
-test("another way of location", () => {
-  const bytes = built().toBytes();
-  for (const location of ["walk", "hierarchy", undefined]) {
-    const restored = Diagram.fromBytes(bytes, { location });
-    expect(validate(restored)).toBeNull();
-    expect(restored.toBytes()).toEqual(bytes);
-  }
-  expectRefusal(
-    () => Diagram.fromBytes(bytes, { location: "grid" }),
-    "bad-option",
-    "options.location",
-  );
-});
-
 test("after any history", () => {
   const number = fc.integer({ min: -6, max: 6 });
   const step = fc.record({

@@ -167,7 +167,7 @@ async function addWindows({ levels }, diagram, bytes, random) {
   copy.dispose();
 }
 
-async function addSphere({ SphericalDiagram }, bytes) {
+async function addSphere({ SphericalDiagram, validate }, bytes) {
   const random = generator(1234);
   const somewhere = () => [360 * random() - 180, 170 * random() - 85];
   const sites = (n) => Array.from({ length: n }, () => [...somewhere(), 300 * random()]).flat();

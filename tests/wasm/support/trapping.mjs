@@ -183,7 +183,7 @@ async function codesAfter(diagram, view) {
   const codes = new Set();
   for (const [name, { use }] of calls) {
     if (isMaking(name) || name === "Diagram.voronoi") continue;
-    const it = name.startsWith("Diagram.") ? diagram : { voronoi: () => view };
+    const it = name.startsWith("Voronoi.") ? { voronoi: () => view } : diagram;
     const error = await errorOf(() => use(it));
     codes.add(error === undefined ? "none" : (error.code ?? String(error)));
   }
