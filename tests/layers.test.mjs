@@ -154,6 +154,10 @@ const rules = [
     ],
   },
   {
+    of: /^wasm\/package\/diagnostics\.ts$/,
+    may: [/^\.\/core\/(diagram|inner|native\/module)\.js$/, /^\.\/sphere\/spherical_diagram\.js$/],
+  },
+  {
     of: /^wasm\/package\/\w+\.ts$/,
     may: [/^\.\/\w+\.js$/, /^\.\/\w+\/(api|methods|functions|enclose)\.js$/],
   },
@@ -171,7 +175,7 @@ const rules = [
   },
   ...playground({
     model: [/^@preact\/signals-core$/, /^d3-geo$/],
-    picture: [/^\.\.\/model\//],
+    picture: [/^\.\.\/model\//, /^apollonius-diagram\/diagnostics$/],
     tools: [/^\.\.\/(app\.js$|(model|picture)\/)/],
     sets: [/^\.\.\/(app\.js$|(model|picture)\/)/, /^(d3-dsv|fflate)$/],
     motion: [/^\.\.\/(app\.js$|(model|picture|sets)\/)/],
@@ -183,7 +187,11 @@ const rules = [
   },
   {
     of: /^web\/playground\/\w+\.ts$/,
-    may: [/^\.\/(\w+\/)?\w+\.js$/, /^\.\.\/(shared\/\w+|figure\/pen)\.js$/, /^apollonius-diagram$/],
+    may: [
+      /^\.\/(\w+\/)?\w+\.js$/,
+      /^\.\.\/(shared\/\w+|figure\/pen)\.js$/,
+      /^apollonius-diagram(\/diagnostics)?$/,
+    ],
   },
   {
     of: /^web\/shared\/package\.ts$/,
@@ -211,7 +219,7 @@ const rules = [
       /^\.\/(measure\/)?\w+\.js$/,
       /^\.\.\/figure\/(figure|pen)\.js$/,
       /^\.\.\/shared\/random_sets\.js$/,
-      /^apollonius-diagram(\/(sphere|treemap))?$/,
+      /^apollonius-diagram(\/(sphere|treemap|diagnostics))?$/,
       /^(d3-hierarchy|d3-geo|d3-delaunay|delaunator|flatbush)$/,
     ],
   },

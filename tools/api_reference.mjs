@@ -20,6 +20,7 @@ const entries = [
   ["apollonius-diagram/shapes", "shapes.ts"],
   ["apollonius-diagram/sphere", "sphere.ts"],
   ["apollonius-diagram/treemap", "treemap.ts"],
+  ["apollonius-diagram/diagnostics", "diagnostics.ts"],
   ["apollonius-diagram/wasm", "wasm.ts"],
 ];
 const preface = `<!-- Made by npm run docs: edit wasm/package and docs/examples instead. -->
@@ -319,7 +320,7 @@ function examplesFor(one) {
 }
 
 /** Sections that most readers skip. */
-const kLast = ["Saving and checking", "Lifetime"];
+const kLast = ["Saving", "Lifetime"];
 
 function markdownOf(part, examples) {
   const { kind, text, code, members } = part;

@@ -1,7 +1,8 @@
 // npm run build: the package's dist/ from src/ and wasm/.
 //
-//   dist/esm/{index,core,shapes,sphere,treemap,wasm}.js, *.d.ts    the entries, ES modules. Those of
-//                                      core, shapes and sphere carry that part of the wasm as text.
+//   dist/esm/{index,core,shapes,sphere,treemap,diagnostics,wasm}.js, *.d.ts    the entries, ES
+//                                      modules. Those of core, shapes and sphere carry that part
+//                                      of the wasm as text.
 //   dist/esm/{embedded,errors}.js      index.js only names what is in these, so that who needs no
 //                                      more than errors gets no more
 //   dist/esm/{core,shapes,sphere,treemap}/part.js    the code of a folder of wasm/package, which
@@ -40,7 +41,7 @@ const sources = path.join(root, "wasm/package");
 const types = path.join(root, "build/types/wasm/package");
 const { name, version } = JSON.parse(readFileSync(path.join(root, "package.json"), "utf8"));
 const own = { name, version };
-const entries = ["index", "core", "shapes", "sphere", "treemap", "wasm"];
+const entries = ["index", "core", "shapes", "sphere", "treemap", "diagnostics", "wasm"];
 const inner = ["embedded", "errors"];
 const edges = ["edge", "core_edge", "shapes_edge", "sphere_edge", "treemap_edge"];
 /** Folders of the sources whose code is a file of its own. */

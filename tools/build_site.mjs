@@ -71,10 +71,14 @@ async function settings({ isWatching }) {
     logLevel: "warn",
     resolve: {
       alias: [
-        // The one entry with the names of all others, and without the WebAssembly.
+        // The one entry with the names of those that bring WebAssembly, and without that.
         {
           find: /^apollonius-diagram(\/(sphere|treemap|wasm))?$/,
           replacement: path.join(dist, "esm/wasm.js"),
+        },
+        {
+          find: "apollonius-diagram/diagnostics",
+          replacement: path.join(dist, "esm/diagnostics.js"),
         },
         { find: /^apollonius-diagram\/(\w+\.wasm)(?=\?)/, replacement: path.join(dist, "$1") },
       ],

@@ -49,7 +49,7 @@ const entry = (name) => path.join(root, `dist/esm/${name}.js`);
 const alias = {
   "apollonius-diagram": entry("index"),
   ...Object.fromEntries(
-    ["core", "shapes", "sphere", "treemap", "wasm"].map((name) => [
+    ["core", "shapes", "sphere", "treemap", "diagnostics", "wasm"].map((name) => [
       `apollonius-diagram/${name}`,
       entry(name),
     ]),

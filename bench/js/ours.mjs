@@ -74,12 +74,12 @@ function build(request) {
   return withVisible(answer);
 }
 
-function insertOneByOne(request, location) {
+function insertOneByOne(request) {
   load(request);
   const { sites } = current;
   const count = countOf(request);
   const prepare = () => {
-    renew(new Diagram(undefined, { location }));
+    renew(new Diagram());
     current.isWhole = false;
   };
   const work = () => {
@@ -314,8 +314,7 @@ export const operations = {
   kNearest,
   removeNearest,
   findNear: find,
-  insert: (request) => insertOneByOne(request, "hierarchy"),
-  insertByWalk: (request) => insertOneByOne(request, "walk"),
+  insert: insertOneByOne,
   remove: (request) => removed(request, false),
   removeMany: (request) => removed(request, true),
   update: (request) => moved(request, false),

@@ -10,8 +10,9 @@ import { runScriptInNode } from "../wasm/support/node.mjs";
 import { runPages } from "../wasm/support/pages.mjs";
 
 const use =
+  'import { validate } from "apollonius-diagram/diagnostics";\n' +
   "const d = new Diagram([0, 0, 1, 9, 0, 2]);\n" +
-  "globalThis.report(`${d.find(8, 0)} ${d.size} ${d.validate()}`);\n";
+  "globalThis.report(`${d.find(8, 0)} ${d.size} ${validate(d)}`);\n";
 const programs = {
   main: `import { Diagram } from "apollonius-diagram";\n${use}`,
   error:

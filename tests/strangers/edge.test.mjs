@@ -99,13 +99,14 @@ test("workerd: core alone, and treemaps, each with the parts that it needs", asy
   const imports =
     'import { Diagram } from "apollonius-diagram/core";' +
     'import { treemap } from "apollonius-diagram/treemap";' +
-    'import { voronoi } from "apollonius-diagram/shapes";';
+    'import { voronoi } from "apollonius-diagram/shapes";' +
+    'import { validate } from "apollonius-diagram/diagnostics";';
   const body =
     "const d = new Diagram([0, 0, 1, 9, 0, 2]);" +
     "const area = voronoi(d, [0, 0, 10, 10]).cellAreas().reduce((a, b) => a + b);" +
-    "return new Response(`${d.find(8, 0)} ${area.toFixed(6)} ${typeof treemap()}`);";
+    "return new Response(`${d.find(8, 0)} ${area.toFixed(6)} ${typeof treemap()} ${validate(d)}`);";
   await bundled(worker(imports, body), ["workerd"]);
-  expect(await answers("/")).toEqual(["1 100.000000 function"]);
+  expect(await answers("/")).toEqual(["1 100.000000 function null"]);
 });
 
 const importSphere = 'import { SphericalDiagram } from "apollonius-diagram/sphere";';

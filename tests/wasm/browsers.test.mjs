@@ -10,9 +10,12 @@ import { runScriptInNode } from "./support/node.mjs";
 import { runPages } from "./support/pages.mjs";
 
 const expected = "1 2 null";
-const use =
-  "const d = new Diagram([0, 0, 1, 9, 0, 2]); report(`${d.find(8, 0)} ${d.size} ${d.validate()}`);";
 const dist = "/node_modules/apollonius-diagram/dist";
+const useOfScript =
+  "const d = new Diagram([0, 0, 1, 9, 0, 2]); report(`${d.find(8, 0)} ${d.size} null`);";
+const use =
+  `import { validate } from "${dist}/esm/diagnostics.js"; ` +
+  useOfScript.replace("null", "${validate(d)}");
 const bundlers = ["vite", "webpack", "rollup", "esbuild"];
 
 const bundle = (name) =>
@@ -82,7 +85,7 @@ test("no file has characters that a page or a bundler would not take as they are
 const files = {
   "module.js": `import { Diagram } from "${dist}/esm/index.js"; ${use}`,
   "core.js": `import { Diagram } from "${dist}/esm/core.js"; ${use}`,
-  "global.js": `const { Diagram } = apollonius; ${use}`,
+  "global.js": `const { Diagram } = apollonius; ${useOfScript}`,
   "wasm.js": `import { Diagram, load } from "${dist}/esm/wasm.js";
     await load({ core: "${dist}/core.wasm" }); ${use}`,
   "ahead.js": `import { Diagram, load } from "${dist}/esm/index.js"; await load(); ${use}`,
@@ -94,7 +97,7 @@ const files = {
   "start_classic_worker.js": `
     new Worker("/classic_worker_inside.js").onmessage = ({ data }) => report(data);`,
   "classic_worker_inside.js": `const report = (found) => postMessage(found);
-    importScripts("${dist}/apollonius.js"); const { Diagram } = apollonius; ${use}`,
+    importScripts("${dist}/apollonius.js"); const { Diagram } = apollonius; ${useOfScript}`,
 };
 const scriptFile = readFileSync(path.join(packed, dist, "apollonius.js"), "utf8");
 const module = (file) => ({ html: `<script type="module" src="${file}"></script>` });

@@ -12,7 +12,8 @@ const dist = "/node_modules/apollonius-diagram/dist";
 
 const setUp = `
   import { hashOfAllOutputs } from ${JSON.stringify(`file://${script}`)};
-  const entries = ["", "/sphere", "/treemap"].map((name) => import("apollonius-diagram" + name));
+  const names = ["", "/sphere", "/treemap", "/diagnostics"];
+  const entries = names.map((name) => import("apollonius-diagram" + name));
   const code = Object.assign({}, ...(await Promise.all(entries)));
 `;
 const [inNode, again] = runInNode(`${setUp}
@@ -78,7 +79,7 @@ describeInBrowsers("the hash of all outputs", (browser) => {
     const files = {
       "all_outputs.js": readFileSync(script, "utf8"),
       "hash.js": `import { hashOfAllOutputs } from "/all_outputs.js";
-        const entries = ["index", "sphere", "treemap"];
+        const entries = ["index", "sphere", "treemap", "diagnostics"];
         const modules = entries.map((name) => import("${dist}/esm/" + name + ".js"));
         const code = Object.assign({}, ...(await Promise.all(modules)));
         report(await hashOfAllOutputs(code));`,

@@ -84,15 +84,15 @@ test("import compiles nothing and is no promise", () => {
 test("no code is made from strings", () => {
   const more = `
     try { d.insert(NaN, 0); } catch (error) { console.log(error.code); }
-    console.log(d.voronoi().render().length > 0, d.vertices().sites.length, d.validate());`;
+    console.log(d.voronoi().render().length > 0, d.vertices().sites.length, validate(d));`;
   const options = ["--disallow-code-generation-from-strings"];
   const printed = "1 2\nnot-finite\ntrue 0 null";
-  expect(runInNode(`import { Diagram } from "apollonius-diagram"; ${use}${more}`, options)).toBe(
-    printed,
-  );
-  expect(
-    runScriptInNode(`const { Diagram } = require("apollonius-diagram"); ${use}${more}`, options),
-  ).toBe(printed);
+  const imports = `import { Diagram } from "apollonius-diagram";
+    import { validate } from "apollonius-diagram/diagnostics";`;
+  expect(runInNode(`${imports} ${use}${more}`, options)).toBe(printed);
+  const requires = `const { Diagram } = require("apollonius-diagram");
+    const { validate } = require("apollonius-diagram/diagnostics");`;
+  expect(runScriptInNode(`${requires} ${use}${more}`, options)).toBe(printed);
 });
 
 test.each([
@@ -306,6 +306,7 @@ test.each([
     ${replace}
     const { Diagram } = await import("apollonius-diagram");
     const { SphericalDiagram } = await import("apollonius-diagram/sphere");
+    const { validate } = await import("apollonius-diagram/diagnostics");
     const found = [];
     left = 0;
     found.push(await codeOf(() => new Diagram()));
@@ -317,7 +318,7 @@ test.each([
       left = Infinity;
       found.push(await codeOf(use));
     }
-    console.log(found.join(" "), d.validate());`),
+    console.log(found.join(" "), validate(d));`),
   ).toBe(`out-of-memory ${"out-of-memory 1 none ".repeat(2)}null`);
 });
 
@@ -562,6 +563,38 @@ test("a call of a part that is not imported says which import brings it", () => 
   ]);
 });
 
+test("diagnostics bring no wasm, and work on diagrams of every entry", () => {
+  const entries = ["", "/core", "/sphere", "/wasm"].map((name) => `apollonius-diagram${name}`);
+  for (const entry of entries) {
+    const [name, sources] = entry.endsWith("wasm")
+      ? ["Diagram", `{ ${partsOf(["core"])} }`]
+      : [entry.endsWith("sphere") ? "SphericalDiagram" : "Diagram", ""];
+    const asked = (get) => `
+      const { levels, predicateCounts, validate } = ${get}("apollonius-diagram/diagnostics");
+      const codeOf = (call) => { try { return call(); } catch (error) { return error.code; } };
+      console.log(codeOf(predicateCounts), codeOf(() => validate({})), codeOf(() => levels({})));
+      const { ${name}: Made, load } = ${get}("${entry}");
+      (async () => {
+        await load(${sources});
+        const d = new Made([0, 0, 1, 40, 0, 2, 0, 40, 3]);
+        console.log(validate(d), codeOf(() => String(levels(d))), typeof predicateCounts().ties);
+        d.dispose();
+        console.log(codeOf(() => validate(d)), codeOf(() => levels(d)));
+      })();`;
+    const seen = (text) => text.split("\n");
+    const ofPlane = name === "Diagram" ? "1,2,1" : "bad-option";
+    const expected = [
+      "not-loaded bad-option bad-option",
+      `null ${ofPlane} number`,
+      "disposed disposed",
+    ];
+    const read = 'const { readFileSync } = await import("node:fs");';
+    expect(seen(runInNode(`${read} ${asked("await import")}`))).toEqual(expected);
+    const required = 'const { readFileSync } = require("node:fs");';
+    expect(seen(runScriptInNode(`${required} ${asked("require")}`))).toEqual(expected);
+  }
+});
+
 test("a part is compiled at its first use; where it cannot be, a later call tries again", () => {
   expect(
     runInNode(`
@@ -576,15 +609,16 @@ test("a part is compiled at its first use; where it cannot be, a later call trie
     });
     const { Diagram } = await import("apollonius-diagram");
     const { SphericalDiagram } = await import("apollonius-diagram/sphere");
+    const { validate } = await import("apollonius-diagram/diagnostics");
     const d = new Diagram([0, 0, 1, 9, 0, 2]);
     const view = d.voronoi();
-    d.kNearest(0, 0, 2); d.edges(); d.hull(); d.triangulation(); d.toBytes(); d.validate();
+    d.kNearest(0, 0, 2); d.edges(); d.hull(); d.triangulation(); d.toBytes(); validate(d);
     const codeOf = (call) => { try { call(); } catch (error) { return error.code; } };
     console.log(compiled);
     refusal = new WebAssembly.CompileError("no");
     console.log(codeOf(() => view.render()), codeOf(() => new SphericalDiagram()), d.find(8, 0));
     refusal = null;
-    console.log(view.render() !== "", new SphericalDiagram().size, compiled, d.validate());`).split(
+    console.log(view.render() !== "", new SphericalDiagram().size, compiled, validate(d));`).split(
       "\n",
     ),
   ).toEqual(["1", "not-loaded not-loaded 1", "true 0 3 null"]);

@@ -2,6 +2,7 @@
 // and value, and the diagram is as it was. "out-of-memory" is in out_of_memory.test.mjs, "disposed"
 // in lifetime.test.mjs. More kinds of bad values: errors.test.mjs, wrong_types.test.mjs.
 import { Diagram } from "../../build/packed/consumer.mjs";
+import { validate } from "../../build/packed/diagnostics.mjs";
 import { describePackage } from "../../tools/api_reference.mjs";
 import { calls } from "./support/calls.mjs";
 import { snapshot } from "./support/graph.mjs";
@@ -9,7 +10,14 @@ import { methodsOf } from "./support/methods.mjs";
 import { randomCircles } from "./support/random.mjs";
 import { expectRefusal, expectRejection } from "./support/refusal.mjs";
 
-const described = describePackage()[0].described;
+const entries = describePackage();
+const { described } = entries[0];
+const diagnostics = {
+  name: "diagnostics",
+  members: entries
+    .find(({ entry }) => entry.endsWith("/diagnostics"))
+    .described.filter(({ kind }) => kind === "function"),
+};
 const codesOf = (text) =>
   [...text.matchAll(/"([a-z-]+)"/g)].map((match) => match[1]).filter((code) => known.has(code));
 const known = new Set(
@@ -23,7 +31,7 @@ const known = new Set(
  * the call that it begins with, and what the comment of Voronoi says of all its calls.
  */
 function documented(className, name) {
-  const { members } = described.find((one) => one.name === className);
+  const { members } = [...described, diagnostics].find((one) => one.name === className);
   const member = members.find((one) => one.name === name);
   const text = member.text.replace(/\s+/g, " ");
   const codes = new Set(codesOf(text));
@@ -85,12 +93,12 @@ test.each(
 });
 
 test("after all that the diagram is sound, and the free id still free", () => {
-  expect(diagram.validate()).toBeNull();
+  expect(validate(diagram)).toBeNull();
   expect(diagram.insert(0, 1, 2)).toBe(7);
 });
 
 test.each(calls)("%s works when it is given what it wants", async (_name, { use }) => {
   const copy = new Diagram(randomCircles(20, 23));
   await use(copy);
-  expect(copy.validate()).toBeNull();
+  expect(validate(copy)).toBeNull();
 });

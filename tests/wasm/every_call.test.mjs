@@ -2,10 +2,11 @@
 // against a brute-force model. With APOLLONIUS_THOROUGH=1 twenty times as many.
 import fc from "fast-check";
 import { Diagram } from "../../build/packed/consumer.mjs";
+import { validate } from "../../build/packed/diagnostics.mjs";
 import { isThorough } from "../support/effort.mjs";
 import { circle, circles, fraction, fractions, pick } from "./support/arbitraries.mjs";
 import { BruteForce } from "./support/brute_force.mjs";
-import { diagramCalls } from "./support/calls.mjs";
+import { diagnosticsCalls, diagramCalls } from "./support/calls.mjs";
 import { graph, snapshot } from "./support/graph.mjs";
 import { asking } from "./support/questions.mjs";
 
@@ -205,7 +206,7 @@ const making = {
         if (bySymbol && Symbol.dispose) d[Symbol.dispose]();
         else d.dispose();
       }
-      for (const [name, { use }] of Object.entries(diagramCalls)) {
+      for (const [name, { use }] of Object.entries({ ...diagramCalls, ...diagnosticsCalls })) {
         if (!["constructor", "from"].includes(name)) refused("disposed", () => use(d));
       }
       all.splice(at, 1);
@@ -248,7 +249,7 @@ const commandsOf = (calls, run) =>
 const commands = [
   ...commandsOf(changing, (action) => (all, at, values) => {
     action(all[at].d, all[at].m, ...values);
-    expect(all[at].d.validate()).toBeNull();
+    expect(validate(all[at].d)).toBeNull();
   }),
   ...commandsOf(
     asking,
@@ -261,7 +262,9 @@ test("every public call of Diagram is among them", () => {
   const names = Object.keys({ ...changing, ...asking, ...making }).flatMap((name) =>
     name.split(" "),
   );
-  const missing = Object.keys(diagramCalls).filter((name) => !names.includes(name));
+  const missing = Object.keys({ ...diagramCalls, ...diagnosticsCalls }).filter(
+    (name) => !names.includes(name),
+  );
   expect(missing).toEqual([]);
 });
 

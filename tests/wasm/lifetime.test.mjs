@@ -2,6 +2,7 @@
 import { fileURLToPath } from "node:url";
 import { transformSync } from "esbuild";
 import { Diagram } from "../../build/packed/consumer.mjs";
+import { validate } from "../../build/packed/diagnostics.mjs";
 import { capture } from "../../tools/toolchain/process.mjs";
 import { isThorough } from "../support/effort.mjs";
 import { calls } from "./support/calls.mjs";
@@ -31,7 +32,7 @@ test("a second dispose does nothing, and other diagrams live on", () => {
   const other = new Diagram(randomCircles(20, 31));
   diagram.dispose();
   diagram.dispose();
-  expect(other.validate()).toBeNull();
+  expect(validate(other)).toBeNull();
 });
 
 // An array, an option or a context of the caller's can dispose of the diagram in the middle of a
@@ -100,7 +101,7 @@ test.each([
 ])("disposed of during the call: %s", (_, call) => {
   const other = new Diagram(randomCircles(20, 32));
   expectRefusal(() => call(new Diagram([0, 0, 1, 5, 5, 1])), "disposed", "disposed of");
-  expect(other.validate()).toBeNull();
+  expect(validate(other)).toBeNull();
 });
 
 const windows = [
@@ -121,7 +122,7 @@ describe.each(
       "the view has been disposed of",
     );
     expect(other.cellArea(1)).toBeGreaterThan(0);
-    expect(diagram.validate()).toBeNull();
+    expect(validate(diagram)).toBeNull();
   });
 
   // By an option or a callback: what comes of the call, and never a broken diagram.
@@ -149,7 +150,7 @@ describe.each(
         "disposed of",
       );
     }
-    expect(diagram.validate()).toBeNull();
+    expect(validate(diagram)).toBeNull();
     expect(diagram.voronoi(window).cellArea(1)).toBeGreaterThan(0);
   });
 
@@ -325,10 +326,11 @@ test("a disposed diagram is not freed twice when it is collected", () => {
   const output = runInNode(
     `
     const { Diagram } = await import("apollonius-diagram");
+    const { validate } = await import("apollonius-diagram/diagnostics");
     for (let k = 0; k < 100; ++k) new Diagram([0, 0, 1, 5, 5, 1]).dispose();
     const kept = new Diagram([0, 0, 1, 5, 5, 1, 9, 0, 2]);
     for (let k = 0; k < 10; ++k) { gc(); await new Promise((resolve) => setTimeout(resolve, 5)); }
-    console.log(kept.validate());
+    console.log(validate(kept));
   `,
     ["--expose-gc"],
   );
@@ -339,6 +341,7 @@ test("out of memory is an error, and the diagram is as it was", () => {
   const output = runInNode(`
     const grow = WebAssembly.Memory.prototype.grow;
     const { Diagram, ApolloniusError } = await import("apollonius-diagram");
+    const { validate } = await import("apollonius-diagram/diagnostics");
     const diagram = new Diagram();
     WebAssembly.Memory.prototype.grow = () => { throw new RangeError("no more memory"); };
     const failures = { one: 0, many: 0 };
@@ -365,7 +368,7 @@ test("out of memory is an error, and the diagram is as it was", () => {
       if (diagram.size !== full) throw new Error("changed");
     }
     WebAssembly.Memory.prototype.grow = grow;
-    const broken = diagram.validate();
+    const broken = validate(diagram);
     diagram.insertMany(Float64Array.from({ length: 3e4 }, random));
     const grew = diagram.size - full;
     console.log(JSON.stringify({ ...failures, broken, grew, isFull: full > 1000 }));

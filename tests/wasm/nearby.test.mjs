@@ -1,6 +1,7 @@
 // kNearest, within, pick and search by example, and with filters. (Against brute force:
 // every_call.test.mjs; against the oracle: tests/diagram/queries_test.cpp.)
 import { Diagram } from "../../build/packed/consumer.mjs";
+import { validate } from "../../build/packed/diagnostics.mjs";
 import { calls } from "./support/calls.mjs";
 import { randomCircles } from "./support/random.mjs";
 import { expectRefusal, expectRejection } from "./support/refusal.mjs";
@@ -86,7 +87,7 @@ test("a filter may throw, ask the diagram, and make others, but not change this 
   for (const change of changes)
     expectRefusal(() => circles.kNearest(0, 0, 3, { filter: change }), "busy", "a filter may not");
   circles.within(0, 0, 300, { filter: () => new Diagram(xyr).clear().dispose() });
-  expect(circles.validate()).toBeNull();
+  expect(validate(circles)).toBeNull();
   expect(circles.size).toBe(1000);
   circles.remove(0); // not busy any more
   circles.dispose();

@@ -1,5 +1,6 @@
 // All cells' paths at once: the same as one by one.
 import { Diagram } from "../../build/packed/consumer.mjs";
+import { levels } from "../../build/packed/diagnostics.mjs";
 import { randomCircles } from "./support/random.mjs";
 
 const kBounds = [-900, -700, 1000, 800];
@@ -45,7 +46,7 @@ test.each(Object.entries(views))("in %s they are what renderCell gives", (_, vie
 
 test("null for what has no cell in the window", () => {
   const paths = views.bounds.renderCells();
-  expect(paths).toHaveLength(diagram.levels().length);
+  expect(paths).toHaveLength(levels(diagram).length);
   expect([7, 8, 2999].map((id) => paths[id])).toEqual([null, null, null]);
   const areas = views.bounds.cellAreas();
   paths.forEach((path, id) => expect(path === null).toBe(areas[id] === 0));

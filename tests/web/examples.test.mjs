@@ -14,8 +14,8 @@ const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.mi
 
 describeInBrowser("examples", (open) => {
   /**
-   * Runs `check` in the page of an example, with what the example returned; keeps a picture for
-   * people to look at.
+   * Runs `check` in the page of an example, with what the example returned, and gives it the
+   * address of the package's diagnostics; keeps a picture for people to look at.
    */
   async function inExample(name, check, act = async () => {}) {
     const page = await open({
@@ -24,7 +24,8 @@ describeInBrowser("examples", (open) => {
       viewport: { width: 1000, height: 660 },
     });
     await act(page);
-    const found = await page.evaluate(check);
+    const diagnostics = new URL("../lib/apollonius-diagram/diagnostics.js", page.url()).href;
+    const found = await page.evaluate(check, diagnostics);
     mkdirSync(pictures, { recursive: true });
     await page.screenshot({ path: `${pictures}example_${name}.png` });
     expect(page.errors).toEqual([]);
@@ -79,7 +80,8 @@ describeInBrowser("examples", (open) => {
   test("force: the diagram follows the circles", async () => {
     const found = await inExample(
       "force",
-      () => {
+      async (diagnostics) => {
+        const { validate } = await import(diagnostics);
         const { diagram, nodes, simulation } = window.example;
         simulation.stop();
         const apart = nodes.filter(({ x, y, r }, id) => {
@@ -89,7 +91,7 @@ describeInBrowser("examples", (open) => {
         return {
           size: diagram.size,
           apart: apart.length,
-          broken: diagram.validate(),
+          broken: validate(diagram),
           alpha: simulation.alpha(),
         };
       },
@@ -409,13 +411,14 @@ describeInBrowser("examples", (open) => {
   });
 
   test("globe: all cities are in the diagram, most of them drawn in colour", async () => {
-    const found = await inExample("globe", () => {
+    const found = await inExample("globe", async (diagnostics) => {
+      const { validate } = await import(diagnostics);
       const { diagram, canvas } = window.example;
       const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
       const pixels = new Uint32Array(data.buffer);
       return {
         size: diagram.size,
-        broken: diagram.validate(),
+        broken: validate(diagram),
         isColoured: new Set(pixels).size > 50,
         said: document.querySelector("output").textContent,
       };
@@ -462,7 +465,7 @@ describeInBrowser("examples", (open) => {
     await closePage(page);
     await inExample(
       "relax",
-      () => window.example.diagram.validate(),
+      async (diagnostics) => (await import(diagnostics)).validate(window.example.diagram),
       (page) => page.waitForFunction(() => document.querySelector("progress").value > 0.1),
     );
   });

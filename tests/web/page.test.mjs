@@ -116,7 +116,7 @@ describeInBrowser("the page", (open) => {
       expect(seen).toEqual([...seen].sort((a, b) => b - a));
       // How many depends on how fast the machine draws.
       expect(seen.filter((weight) => weight > 0 && weight < 1)).not.toEqual([]);
-      expect(await moving.evaluate(() => app.diagram.validate())).toBeNull();
+      expect(await moving.evaluate(() => app.parts.validate(app.diagram))).toBeNull();
       await closePage(moving);
     });
   });

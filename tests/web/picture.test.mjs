@@ -130,7 +130,7 @@ describeInBrowser("the picture", (open) => {
     expect(changed).toBeGreaterThan(1000);
     expect(boxes).toBeGreaterThan(40);
     expect(differing).toBeLessThan(20); // anti-aliasing where paths were cut differently
-    expect(await page.evaluate(() => app.diagram.validate())).toBeNull();
+    expect(await page.evaluate(() => app.parts.validate(app.diagram))).toBeNull();
   });
 
   test("edges found from cell to cell are all edges", async () => {

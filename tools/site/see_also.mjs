@@ -43,7 +43,7 @@ export const kSeeAlso = {
     ["why/", "Why circles"],
     ["regions/", "Regions and the globe"],
   ],
-  "diagram.validate": [["exactness/", "Exactness"]],
+  "function validate": [["exactness/", "Exactness"]],
   "function predicateCounts": [["exactness/", "Exactness"]],
   "voronoi.renderCell": [paths],
   "voronoi.renderCells": [paths],

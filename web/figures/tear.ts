@@ -1,6 +1,7 @@
 // Four circles that almost touch one circle, and one of them moved by the smallest steps there are:
 // what plain doubles say of it, asked in two ways, and what the package says.
-import { Diagram, predicateCounts } from "apollonius-diagram";
+import { Diagram } from "apollonius-diagram";
+import { predicateCounts } from "apollonius-diagram/diagnostics";
 import { figure, type Said, type Size } from "../figure/figure.js";
 import { drawDot, type LookName, type Pen } from "../figure/pen.js";
 

@@ -1,4 +1,5 @@
 // Parts of the page for its tests, which try them by themselves: those that run, not copies.
+import { validate } from "apollonius-diagram/diagnostics";
 import { Sites } from "./model/sites.js";
 import { CirclesLayer } from "./picture/circles_layer.js";
 import { addCell } from "./picture/curves.js";
@@ -14,6 +15,7 @@ import { kTools } from "./tools/registry.js";
 import { element, kElementIds } from "./ui/elements.js";
 
 export const parts = {
+  validate,
   Sites,
   CirclesLayer,
   addCell,

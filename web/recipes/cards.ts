@@ -13,8 +13,9 @@ const kNear = "100px"; // below the window
 /** ms until something is said of a program that has not ended: loops are stopped by then. */
 const kPatience = 8000;
 const kParts = ["core", "shapes", "sphere", "treemap"];
-/** Of the package: its entries, and what these import. */
-const kFiles = ["index", "embedded", "errors", ...kParts, ...kParts.map((part) => `${part}/part`)];
+/** Of the package: its entries, and with them what these import. */
+const kEntries = ["index", ...kParts, "diagnostics"];
+const kFiles = [...kEntries, "embedded", "errors", ...kParts.map((part) => `${part}/part`)];
 
 /** What a sandbox says. */
 type Told =
@@ -51,7 +52,7 @@ const kAddress = "https://cdn.jsdelivr.net/npm/apollonius-diagram/dist/esm/";
 
 /** A program as a page that needs no other file of its own: the package comes from its address. */
 function pageOf(program: string): string {
-  const entries = ["index", ...kParts].map((file) => [nameOf(file), `${kAddress}${file}.js`]);
+  const entries = kEntries.map((file) => [nameOf(file), `${kAddress}${file}.js`]);
   const map = JSON.stringify({ imports: Object.fromEntries(entries) }, null, 2);
   return [
     '<!doctype html>\n<meta charset="utf-8">',

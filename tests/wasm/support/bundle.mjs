@@ -10,15 +10,16 @@ import { createRequire } from "node:module";
 import path from "node:path";
 import { packed } from "./install_packed.mjs";
 
+const diagnostics = 'import { validate } from "apollonius-diagram/diagnostics";\n';
 const use =
-  "const d = new Diagram([0, 0, 1, 9, 0, 2]);\n" +
-  "globalThis.report(`${d.find(8, 0)} ${d.size} ${d.validate()}`);\n";
+  `${diagnostics}const d = new Diagram([0, 0, 1, 9, 0, 2]);\n` +
+  "globalThis.report(`${d.find(8, 0)} ${d.size} ${validate(d)}`);\n";
 const main = `import { Diagram } from "apollonius-diagram";\n${use}`;
 const core = `import { Diagram } from "apollonius-diagram/core";\n${use}`;
 const sphere =
   'import { SphericalDiagram } from "apollonius-diagram/sphere";\n' +
-  "const d = new SphericalDiagram([0, 0, 1, 90, 0, 2]);\n" +
-  "globalThis.report(`${d.find(80, 0)} ${d.size} ${d.validate()}`);\n";
+  `${diagnostics}const d = new SphericalDiagram([0, 0, 1, 90, 0, 2]);\n` +
+  "globalThis.report(`${d.find(80, 0)} ${d.size} ${validate(d)}`);\n";
 const treemap =
   'import { treemap } from "apollonius-diagram/treemap";\n' +
   "globalThis.report(typeof treemap().shape([0, 0, 2, 1]));\n";

@@ -1,7 +1,8 @@
-// Every public call of Diagram and Voronoi: one use of it that works, and what it refuses with
-// which code and words. Tests check that nothing is missing here, neither a member of the classes
-// nor a code that the documentation names.
+// Every public call of Diagram and Voronoi, and those of diagnostics: one use of it that works, and
+// what it refuses with which code and words. Tests check that nothing is missing here, neither a
+// member of the classes nor a code that the documentation names.
 import { Diagram } from "../../../build/packed/consumer.mjs";
+import { levels, validate } from "../../../build/packed/diagnostics.mjs";
 import {
   NONE,
   aspects,
@@ -115,6 +116,8 @@ export const diagramCalls = {
     refuses: [
       ...numbers("xyr", 3, (d, xyr) => d.insertMany(xyr)),
       ...tooMany("xyr", 3, (d, xyr) => d.insertMany(xyr)),
+      ...numbers("xy", 2, (d, xy) => d.insertMany(xy, { r: 1 })),
+      ["bad-option", (d) => d.insertMany([], { radius: 1 }), "options.radius is unknown"],
     ],
   },
   remove: { use: (d) => d.remove(0), refuses: wholeNumber((d, site) => d.remove(site)) },
@@ -146,6 +149,8 @@ export const diagramCalls = {
         "expected 3 values in xyr for 1 ids, got 6",
       ],
       ["bad-length", (d) => d.updateMany(7, []), "ids is 7"],
+      ...numbers("xy", 2, (d, xy) => d.updateMany([0, 1], xy, { r: "keep" })),
+      ["bad-option", (d) => d.updateMany([0], [1, 2], { radius: 1 }), "options.radius is unknown"],
       [
         "unknown-site",
         (d) => d.updateMany([0, NONE], [1, 2, 3, 4, 5, 6]),
@@ -291,7 +296,6 @@ export const diagramCalls = {
   neighbors: ofSite("neighbors"),
   edges: edgesBy((d, options) => d.edges(options)),
   vertices: works((d) => d.vertices()),
-  levels: works((d) => d.levels()),
   voronoi: {
     use: (d) => d.voronoi(),
     refuses: [
@@ -325,7 +329,6 @@ export const diagramCalls = {
   smallestEnclosingCircle: works((d) => d.smallestEnclosingCircle()),
   toBytes: works((d) => d.toBytes()),
   toJSON: works((d) => d.toJSON()),
-  validate: works((d) => d.validate()),
 };
 
 export const voronoiCalls = {
@@ -548,8 +551,17 @@ export const voronoiCalls = {
   cellPerimeters: works(inWindow((v) => v.cellPerimeters())),
 };
 
+const noDiagram = (call) => [
+  ["bad-option", () => call({}), "a method was called on an object, expected a diagram"],
+];
+export const diagnosticsCalls = {
+  levels: { use: (d) => levels(d), refuses: noDiagram(levels) },
+  validate: { use: (d) => validate(d), refuses: noDiagram(validate) },
+};
+
 /** All of them: [name, { use, refuses, isAsync }]; those that are give promises. */
 export const calls = [
   ...Object.entries(diagramCalls).map(([name, call]) => [`Diagram.${name}`, call]),
   ...Object.entries(voronoiCalls).map(([name, call]) => [`Voronoi.${name}`, call]),
+  ...Object.entries(diagnosticsCalls).map(([name, call]) => [`diagnostics.${name}`, call]),
 ];

@@ -2,6 +2,7 @@
 // succeeds. Prints how they ended, and what was wrong afterwards, with that diagram unless it said
 // that it is broken, and with another one.
 import { ApolloniusError, Diagram } from "../../../build/packed/consumer.mjs";
+import { validate } from "../../../build/packed/diagnostics.mjs";
 import { graph } from "./graph.mjs";
 import { generator, randomCircles } from "./random.mjs";
 
@@ -61,16 +62,16 @@ for (let round = 0; round < 12; ++round) {
       ...new Array(round).fill(0),
     );
     try {
-      if (diagram.validate() !== null) wrong.push(`${name}: ${diagram.validate()}`);
+      if (validate(diagram) !== null) wrong.push(`${name}: ${validate(diagram)}`);
     } catch (error) {
       if (error.code !== "broken") wrong.push(`${name}: ${error}`);
     }
     try {
-      if (JSON.stringify(graph(bystander)) !== before || bystander.validate() !== null)
+      if (JSON.stringify(graph(bystander)) !== before || validate(bystander) !== null)
         wrong.push(`${name}: another diagram has changed`);
       bystander.remove(bystander.insert(...grid(1)));
       const fresh = new Diagram(grid(200));
-      if (fresh.validate() !== null) wrong.push(`${name}: a new diagram is wrong`);
+      if (validate(fresh) !== null) wrong.push(`${name}: a new diagram is wrong`);
       fresh.dispose();
     } catch (error) {
       wrong.push(`${name}, others: ${error}`);

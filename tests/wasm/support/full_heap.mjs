@@ -2,6 +2,7 @@
 // it threw ("none" if it did not) and whether the diagram was as before. A process of its own, as
 // it replaces WebAssembly.Memory.prototype.grow.
 import { Diagram } from "../../../build/packed/consumer.mjs";
+import { levels, validate } from "../../../build/packed/diagnostics.mjs";
 import { calls } from "./calls.mjs";
 
 // One site with very many neighbours: then even a call about a single site needs much memory.
@@ -55,14 +56,14 @@ const large = {
   "Diagram.neighbors": () => diagram.neighbors(hub),
   "Diagram.edges": () => diagram.edges({ clearance: true }),
   "Diagram.vertices": () => diagram.vertices(),
-  "Diagram.levels": () => diagram.levels(),
   "Diagram.triangulation": () => diagram.triangulation(),
   "Diagram.hull": () => diagram.hull(),
   "Diagram.render": () => diagram.render(ink),
   "Diagram.renderSites": () => diagram.renderSites(ink),
   "Diagram.renderHull": () => diagram.renderHull(ink),
   "Diagram.smallestEnclosingCircle": () => diagram.smallestEnclosingCircle(),
-  "Diagram.validate": () => diagram.validate(),
+  "diagnostics.levels": () => levels(diagram),
+  "diagnostics.validate": () => validate(diagram),
   "Voronoi.render": () => view.render(ink),
   "Voronoi.renderCell": () => view.renderCell(hub, ink),
   "Voronoi.renderCells": () => view.renderCells(),

@@ -34,7 +34,7 @@ function install(packed, source) {
   // `import` of the bare name resolves against the importing file's folder, so the tests go through
   // a file that is here.
   writeFileSync(path.join(packed, "consumer.mjs"), 'export * from "apollonius-diagram";\n');
-  for (const entry of ["sphere", "treemap"])
+  for (const entry of ["sphere", "treemap", "diagnostics"])
     writeFileSync(
       path.join(packed, `${entry}.mjs`),
       `export * from "apollonius-diagram/${entry}";\n`,

@@ -1,5 +1,6 @@
 // Every public question that a diagram answers, and what a brute-force model says to it.
 import fc from "fast-check";
+import { levels, validate } from "../../../build/packed/diagnostics.mjs";
 import { fraction, pick, point } from "./arbitraries.mjs";
 import { distanceTo, farSide } from "./brute_force.mjs";
 import { isInside, Recorder } from "./recorder.mjs";
@@ -251,9 +252,9 @@ export const asking = {
   levels: [
     [],
     (d, m) => {
-      const levels = d.levels();
-      for (const id of m.ids) expect(levels[id] > 0).toBe(!d.isHidden(id));
-      expect(levels.filter((count) => count > 0)).toHaveLength(d.visibleSize);
+      const counts = levels(d);
+      for (const id of m.ids) expect(counts[id] > 0).toBe(!d.isHidden(id));
+      expect(counts.filter((count) => count > 0)).toHaveLength(d.visibleSize);
     },
   ],
   triangulation: [
@@ -319,7 +320,7 @@ export const asking = {
       }
     },
   ],
-  validate: [[], (d) => expect(d.validate()).toBeNull()],
+  validate: [[], (d) => expect(validate(d)).toBeNull()],
 };
 
 /** One list a point, with the circles that a single call gives; distances are those of circles. */

@@ -3,6 +3,7 @@
 // stack used up to somewhere. Prints what it found as JSON. A process of its own, as it replaces
 // WebAssembly.Instance.
 import { Diagram } from "../../../build/packed/consumer.mjs";
+import { validate } from "../../../build/packed/diagnostics.mjs";
 import { isThorough } from "../../support/effort.mjs";
 import { calls } from "./calls.mjs";
 import { snapshot } from "./graph.mjs";
@@ -166,11 +167,11 @@ const top = started[0].real.emscripten_stack_get_current();
 /** What is wrong with all the others, in words; "" if nothing is. */
 function harm() {
   if (started.some(({ real }) => real.emscripten_stack_get_current() !== top)) return "stack";
-  if (snapshot(bystander) !== before || bystander.validate() !== null) return "bystander";
+  if (snapshot(bystander) !== before || validate(bystander) !== null) return "bystander";
   const id = bystander.insert(1, 2, 3);
   bystander.remove(id);
   const fresh = build();
-  const wrong = snapshot(fresh) !== before || fresh.validate() !== null;
+  const wrong = snapshot(fresh) !== before || validate(fresh) !== null;
   fresh.dispose();
   return wrong ? "a new diagram" : "";
 }
@@ -182,7 +183,7 @@ async function codesAfter(diagram, view) {
   const codes = new Set();
   for (const [name, { use }] of calls) {
     if (isMaking(name) || name === "Diagram.voronoi") continue;
-    const it = name.startsWith("Diagram.") ? diagram : { voronoi: () => view };
+    const it = name.startsWith("Voronoi.") ? { voronoi: () => view } : diagram;
     const error = await errorOf(() => use(it));
     codes.add(error === undefined ? "none" : (error.code ?? String(error)));
   }
@@ -257,7 +258,7 @@ const inGrowth = Object.entries(growing).flatMap(([name, use]) =>
 const ink = { moveTo() {}, lineTo() {}, bezierCurveTo() {}, closePath() {} };
 const drawing = build();
 const inContext = codeOf(() => drawing.render({ ...ink, moveTo: () => trapper.a() }));
-const afterContext = drawing.validate();
+const afterContext = validate(drawing);
 
 // A trap in a drawing's later portion, after the context has changed the diagram; and one in a
 // diagram that the context uses.
@@ -291,7 +292,7 @@ const nested = {
   next: codeOf(() => many.size),
   inNested,
   inner: codeOf(() => other.size),
-  outer: drawing.validate(),
+  outer: validate(drawing),
   harm: harm(),
 };
 

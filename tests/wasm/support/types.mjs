@@ -11,6 +11,10 @@ import {
   type Disc, type ErrorCode, type Voronoi, type WindowShape,
   type FittedAreas, type PolygonOptions, type Region, type Site,
 } from "apollonius-diagram";
+import {
+  levels, predicateCounts, validate, type PredicateCounts, type StageCounts,
+} from "apollonius-diagram/diagnostics";
+import { SphericalDiagram } from "apollonius-diagram/sphere";
 await0(load());
 declare function await0(promise: Promise<void>): void;
 interface City { lon: number; lat: number; people: number }
@@ -136,12 +140,20 @@ const gaps: [Float64Array, Float64Array] = [
 diagram.edges().clearance;
 // @ts-expect-error: no such option
 view.edges({ clearances: true });
+const broken: (string | null)[] = [validate(diagram), validate(new SphericalDiagram())];
+const depths: Uint8Array = levels(diagram);
+// @ts-expect-error: of the plane only
+levels(new SphericalDiagram());
+// @ts-expect-error: a function, no method
+diagram.validate();
+const counts: PredicateCounts = predicateCounts();
+const stages: StageCounts = counts.covers;
 const ends: [Int32Array, Float64Array] = [view.vertices().sites, diagram.vertices().xy];
 declare const context: CanvasRenderingContext2D | null | undefined;
 const path: string | void = view.render(context);
 const sides: string = view.renderBounds(null, { digits: 2 });
 export { nearest, ids, code, wrong, early, flat, notFlat, either, firstCell, outcome, later };
-export { path, point, sides, geometry, mesh, area, limited };
+export { path, point, sides, geometry, mesh, area, limited, broken, depths, stages };
 `;
 // The entries among each other: their types are the same, or say what is not there.
 const together = `

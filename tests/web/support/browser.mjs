@@ -316,7 +316,7 @@ export const stateOf = (page) =>
     visible: app.diagram.visibleSize,
     hidden: app.diagram.hiddenSize,
     selected: [...app.selection.ids],
-    broken: app.diagram.validate(),
+    broken: app.parts.validate(app.diagram),
   }));
 
 /** All circles, by id: what two states are compared by. */

@@ -100,7 +100,7 @@ const wheel = (page, deltaY) =>
 /** What is wrong with the diagram, with the page's copy of it, and with the selection. */
 export const soundness = (page) =>
   page.evaluate(() => {
-    const broken = app.diagram.validate();
+    const broken = app.parts.validate(app.diagram);
     const mirror = Array.from(app.diagram.ids()).filter((id) => {
       const a = app.diagram.site(id);
       const b = app.sites.site(id);

@@ -5,7 +5,6 @@ export type {
   Items,
 } from "./accessors.js";
 export { Diagram } from "./diagram.js";
-export { predicateCounts } from "./predicate_counts.js";
 export type { DrawOptions, PathContext } from "./path.js";
 export type { Triangulation } from "./triangulation.js";
 export type {
@@ -21,12 +20,10 @@ export type {
   NearestSites,
   PickOptions,
   Position,
-  PredicateCounts,
   RadiusOption,
   Site,
   Sites,
   SnapshotOptions,
-  StageCounts,
   UpdateOptions,
   Vertices,
   WithinManyOptions,

@@ -365,13 +365,15 @@ export function checkedTolerance(tolerance: unknown, usual: () => number): numbe
 /** Throws "bad-option" unless these are options, or nothing, and have no other names than these. */
 export function checkOptions(options: unknown, ...names: string[]): void {
   if (options === undefined || options === null) return;
-  // as from ids.map(view.cellPolygon, view)
-  if (typeof options === "number" && !names.includes("maxDistance")) return;
+  if (isIndex(options) && !names.includes("maxDistance") && !names.includes("r")) return;
   if (typeof options !== "object" || Array.isArray(options) || ArrayBuffer.isView(options))
     throw badOptions(`options is ${described(options)}`, names, typeof options === "number");
   for (const name in options)
     if (!names.includes(name)) throw badOptions(`options.${name} is unknown`, names);
 }
+
+/** What `map` gives a call in the place of options, as in `ids.map(view.cellPolygon, view)`. */
+const isIndex = (options: unknown): boolean => Number.isInteger(options) && Number(options) >= 0;
 
 /** A number where options stand is a radius for d3-quadtree, and for d3-delaunay a start. */
 function badOptions(what: string, names: string[], isNumber = false): ApolloniusError {

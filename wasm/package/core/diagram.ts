@@ -247,14 +247,6 @@ export class Diagram extends SurfaceDiagram<Plane> {
     return nativeOf(this).vertices();
   }
 
-  /**
-   * How many levels of the hierarchy hold each site, by id (paper, section 4): 1 for most, 2 or
-   * more for about one in 32, and so on; 0 for hidden sites and for ids not in use. O(n).
-   */
-  levels(): Uint8Array {
-    return nativeOf(this).levels();
-  }
-
   /** The Delaunay graph as it is now, in d3-delaunay's arrays: a copy, to be asked once. O(n). */
   triangulation(): Triangulation {
     return triangulationOf(nativeOf(this));
@@ -269,7 +261,7 @@ export class Diagram extends SurfaceDiagram<Plane> {
     return nativeOf(this).hull();
   }
 
-  // --- Saving and checking -----------------------------------------------------------------------
+  // --- Saving ------------------------------------------------------------------------------------
 
   /** "Diagram". O(1). */
   get [Symbol.toStringTag](): string {

@@ -4,7 +4,6 @@ import { type Inner, innerOf, provideInner } from "./inner.js";
 import { kInspect, showContent, summary } from "./inspection.js";
 import { Ballast, destroy, keep } from "./native/lifetime.js";
 import type { AnyNative } from "./native/module.js";
-import { validate } from "./queries.js";
 import { ofOne, type Space } from "./space.js";
 import type { Edges } from "./types.js";
 
@@ -126,7 +125,7 @@ export abstract class DynamicDiagram<Listed> implements Disposable {
     return innerOf(this).native.edges();
   }
 
-  // --- Saving and checking -----------------------------------------------------------------------
+  // --- Saving ------------------------------------------------------------------------------------
 
   /**
    * The diagram as bytes (a Uint8Array), about 56 a site, on the sphere 28: for files, and for
@@ -154,11 +153,6 @@ export abstract class DynamicDiagram<Listed> implements Disposable {
   /** @internal */
   [kInspect](): string {
     return this.toString();
-  }
-
-  /** null, or the first broken invariant in words. For tests: O(n) with large constants. */
-  validate(): string | null {
-    return validate(innerOf(this).native);
   }
 
   // --- Lifetime ----------------------------------------------------------------------------------

@@ -19,7 +19,7 @@ import {
   type Walk,
 } from "./filters.js";
 import type { Inner } from "./inner.js";
-import { type AnyNative, runningModule } from "./native/module.js";
+import { runningModule } from "./native/module.js";
 import { atPoint, checkTypes, ofItems } from "./space.js";
 import type {
   FilterOptions,
@@ -312,13 +312,4 @@ function pickAll(inner: Inner, numbers: ArrayLike<number>, [limit, top]: Picking
       ids[k] = inner.native.pick(numbers[2 * k]!, numbers[2 * k + 1]!, limit, onTop);
   });
   return ids;
-}
-
-// --- For tests -----------------------------------------------------------------------------------
-
-/** null, or the first broken invariant in words. */
-export function validate(native: AnyNative): string | null {
-  const { what, where, level } = native.validate();
-  if (what === "") return null;
-  return `${level === 0 ? "" : `level ${level}: `}${what} ${where}`;
 }

@@ -62,32 +62,6 @@ export interface Edges {
   vertices: Int32Array;
 }
 
-/** Answers of one question by the stage that gave them. */
-export interface StageCounts {
-  /** In doubles, with a bound on the error. */
-  filter: number;
-  /** In doubles that are exact, or in integers of fixed width. */
-  middle: number;
-  /** In integers of any length. */
-  exact: number;
-}
-
-/** How often each stage of the predicates has answered. */
-export interface PredicateCounts {
-  /** Is one disc within another? */
-  covers: StageCounts;
-  /** Which of two sites is nearer to a point? */
-  distance: StageCounts;
-  /** On which side of a vertex is a point, seen from a site? */
-  bearing: StageCounts;
-  /** Does a new site take over a Voronoi vertex? */
-  vertexConflict: StageCounts;
-  /** And what of an edge, given its ends? */
-  edgeConflict: StageCounts;
-  /** Vertex conflicts that were exactly zero, which the canonical rule has settled. */
-  ties: number;
-}
-
 /** Options of the constructor of `Diagram`, of `from` and `insertMany`. */
 export interface RadiusOption {
   /**

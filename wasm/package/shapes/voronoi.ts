@@ -177,7 +177,7 @@ export class Voronoi implements Disposable {
     return Voronoi.#moments(view, id);
   }
 
-  // --- Saving and checking -----------------------------------------------------------------------
+  // --- Saving ------------------------------------------------------------------------------------
 
   /** "Voronoi". */
   get [Symbol.toStringTag](): string {

@@ -90,7 +90,6 @@ export class SphericalDiagram extends SurfaceDiagram<Sphere> {
     r: Accessor<T> | undefined,
     options?: SphericalOptions,
   ): SphericalDiagram;
-  static from(lonLatR: ArrayLike<number>, options?: SphericalOptions): SphericalDiagram;
   static from(items: unknown, ...rest: unknown[]): SphericalDiagram {
     const names = ["radius", "r"];
     const [accessors, options] = accessorsAndOptions<unknown, SphericalOptions>(rest, ...names);
@@ -124,10 +123,6 @@ export class SphericalDiagram extends SurfaceDiagram<Sphere> {
     lon: Accessor<T>,
     lat: Accessor<T>,
     r: Accessor<T> | undefined,
-    options?: SphericalBuildOptions,
-  ): Promise<SphericalDiagram>;
-  static fromAsync(
-    lonLatR: ArrayLike<number>,
     options?: SphericalBuildOptions,
   ): Promise<SphericalDiagram>;
   static async fromAsync(items: unknown, ...rest: unknown[]): Promise<SphericalDiagram> {
@@ -227,7 +222,7 @@ export class SphericalDiagram extends SurfaceDiagram<Sphere> {
     return SphericalVoronoi.of(this, options);
   }
 
-  // --- Saving and checking -----------------------------------------------------------------------
+  // --- Saving ------------------------------------------------------------------------------------
 
   /** "SphericalDiagram". O(1). */
   get [Symbol.toStringTag](): string {

@@ -1,6 +1,7 @@
 // The hierarchy that finds the nearest site: a ring for each level that a site is on beside the
 // diagram itself, and the cells of level 1, which is a diagram of its own.
 import { Diagram } from "apollonius-diagram";
+import { levels as levelsOf } from "apollonius-diagram/diagnostics";
 import type { Sites } from "../model/sites.js";
 import { boundsOf, drawOptions, ScreenStrokes } from "./curves.js";
 import { addRim } from "./discs.js";
@@ -28,7 +29,7 @@ export function* drawLevels(context: CanvasRenderingContext2D, picture: Picture,
 
 /** The ids of the sites on each level above the diagram itself, from level 1 on. */
 function upperLevels({ ids, diagram }: Sites): number[][] {
-  const counts = diagram.levels();
+  const counts = levelsOf(diagram);
   const levels: number[][] = [];
   for (const id of ids) {
     for (let level = 1; level < counts[id]; level++) {
