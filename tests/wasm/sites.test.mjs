@@ -13,7 +13,7 @@ test("an empty diagram answers", () => {
   expect(diagram.ids()).toEqual(new Uint32Array());
   expect(diagram.edges()).toEqual({ sites: new Uint32Array(), vertices: new Int32Array() });
   expect(diagram.vertices()).toEqual({
-    coordinates: new Float64Array(),
+    xy: new Float64Array(),
     clearance: new Float64Array(),
     sites: new Uint32Array(),
   });

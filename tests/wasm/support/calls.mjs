@@ -61,7 +61,17 @@ export const diagramCalls = {
       ...tooMany("items", 1, (_d, items) => Diagram.from(items)),
       ["bad-length", () => Diagram.from(7), "items is 7"],
       ["bad-option", () => Diagram.from([], 7), "x is 7"],
-      ["bad-option", () => Diagram.from([[1, 2]], ...Array(3).fill(() => 1), 5, {}), "not last"],
+      [
+        "bad-option",
+        () =>
+          Diagram.from(
+            [[1, 2]],
+            () => 1,
+            {},
+            () => 1,
+          ),
+        "not last",
+      ],
       [
         "bad-option",
         () => Diagram.from([], ...Array(3).fill(() => 1), { r: 1 }),
@@ -149,7 +159,7 @@ export const diagramCalls = {
         "expected 3 values in xyr for 1 ids, got 6",
       ],
       ["bad-length", (d) => d.updateMany(7, []), "ids is 7"],
-      ...numbers("xy", 2, (d, xy) => d.updateMany([0, 1], xy, { r: "keep" })),
+      ["not-finite", (d) => d.updateMany([0], [1, NaN], { r: "keep" }), "xy[1] is NaN"],
       ["bad-option", (d) => d.updateMany([0], [1, 2], { radius: 1 }), "options.radius is unknown"],
       [
         "unknown-site",

@@ -94,7 +94,6 @@ export interface DiagramClass extends Pick<typeof Core, "from" | "fromAsync" | "
   new (xyr?: ArrayLike<number>, options?: RadiusOption): Diagram;
   /** What all diagrams have in common. */
   readonly prototype: Diagram;
-  from(xyr: ArrayLike<number>, options?: RadiusOption): Diagram;
   from<T extends Circular>(items: Items<T>, options?: RadiusOption): Diagram;
   from<T>(items: Items<T>, x: Accessor<T>, y: Accessor<T>, options?: RadiusOption): Diagram;
   from<T>(
@@ -104,7 +103,7 @@ export interface DiagramClass extends Pick<typeof Core, "from" | "fromAsync" | "
     r: Accessor<T> | undefined,
     options?: RadiusOption,
   ): Diagram;
-  fromAsync(xyr: ArrayLike<number>, options?: BuildOptions): Promise<Diagram>;
+  from(xyr: ArrayLike<number>, options?: RadiusOption): Diagram;
   fromAsync<T extends Circular>(items: Items<T>, options?: BuildOptions): Promise<Diagram>;
   fromAsync<T>(
     items: Items<T>,
@@ -119,6 +118,7 @@ export interface DiagramClass extends Pick<typeof Core, "from" | "fromAsync" | "
     r: Accessor<T> | undefined,
     options?: BuildOptions,
   ): Promise<Diagram>;
+  fromAsync(xyr: ArrayLike<number>, options?: BuildOptions): Promise<Diagram>;
   fromBytes(bytes: Uint8Array, options?: SnapshotOptions): Diagram;
 }
 

@@ -353,7 +353,7 @@ export class Voronoi implements Disposable {
   edges(options?: EdgeOptions): Edges;
   edges(options?: EdgeOptions): Edges {
     const isClear = isWithClearance(options);
-    const { edges, narrowest } = this.#edgeGraph();
+    const { edges, narrowest } = Voronoi.#edgeGraph(this);
     return isClear ? { ...edges, ...narrowestOf(narrowest) } : edges;
   }
 
@@ -363,7 +363,7 @@ export class Voronoi implements Disposable {
    * several times, is one. O(n).
    */
   vertices(): VerticesInside {
-    const { vertices } = this.#edgeGraph();
+    const { vertices } = Voronoi.#edgeGraph(this);
     const { xy, clearance, sites } = vertices;
     return { xy, clearance, sites: new Int32Array(sites.buffer) };
   }
@@ -701,8 +701,8 @@ export class Voronoi implements Disposable {
     return held;
   }
 
-  #edgeGraph() {
-    return Voronoi.#clipped(this, undefined, (native, windowNow) =>
+  static #edgeGraph(view: Voronoi) {
+    return Voronoi.#clipped(view, undefined, (native, windowNow) =>
       native.edgeGraph(...windowNow()),
     );
   }
