@@ -165,10 +165,10 @@ test("what is compared is what there is: both classes, both views, records", () 
   });
   expect(plane.get("constructor").parameters).toEqual(["xyr,options"]);
   expect(plane.get("from").parameters).toEqual([
-    "xyr,options",
     "items,options",
     "items,x,y,options",
     "items,x,y,r,options",
+    "xyr,options",
   ]);
   expect(classOf(exportsOf.index.get("Voronoi")).get("contains").parameters).toEqual(["id,x,y"]);
   expect(records.map(([name]) => name)).toEqual(
