@@ -55,6 +55,12 @@ TEST(Antimeridian, ARingThatDoesNotComeToItHasTheCellInsideOrOutside) {
   EXPECT_NEAR(areaOfCut({north, west}, kSphere - 1e-6), kMap, 1e-9);
 }
 
+TEST(Antimeridian, APointThatARingRepeatsIsWrittenOnce) {
+  const LonLatRings rings = cut({{10, 10}, {20, 10}, {20, 10}, {20, 20}, {10, 10}}, 0.015);
+  ASSERT_EQ(rings.starts.size(), 2u);
+  EXPECT_EQ(rings.starts[1], 4u) << "three points, and the first again";
+}
+
 TEST(Antimeridian, ARingAlongItHasTheWholeMapAtItsLeftOrNothing) {
   constexpr double kSphere = 4 * std::numbers::pi, kMap = 360.0 * 180;
   EXPECT_EQ(areaOfCut({{180, 60}, {0, 90}}, 1e-8), 0);
