@@ -59,7 +59,8 @@ TEST(SphericalEmptyCircles, AreEmptyAndTheLargestThereAre) {
       // Fewer of them are the first of them.
       const VertexArrays some = emptyCirclesOf(diagram, 3);
       ASSERT_EQ(some.clearance.size(), std::min<std::size_t>(3, circles.clearance.size()));
-      EXPECT_TRUE(std::equal(some.coordinates.begin(), some.coordinates.end(), circles.coordinates.begin()));
+      EXPECT_TRUE(std::equal(some.coordinates.begin(), some.coordinates.end(),
+                             circles.coordinates.begin()));
       EXPECT_TRUE(emptyCirclesOf(diagram, 0).clearance.empty());
     }
   }
