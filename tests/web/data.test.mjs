@@ -56,7 +56,7 @@ describeInBrowser("data", (open) => {
   test("what presets promise: one vertex, contacts, hidden circles", async () => {
     await show(page, "cocircular");
     const corners = await page.evaluate(() => {
-      const { coordinates, clearance } = app.diagram.vertices();
+      const { xy: coordinates, clearance } = app.diagram.vertices();
       return Array.from(clearance, (r, k) => [coordinates[2 * k], coordinates[2 * k + 1], r]);
     });
     const inTheMiddle = corners.filter(([x, y]) => Math.hypot(x, y) < 1e-6);

@@ -130,18 +130,18 @@ test("the security policy allows no inline script, and the page contains no such
 });
 
 describeInBrowser("the page as it is served", (open) => {
-  test("comes with at most nine requests, all below the site's folder", async () => {
+  test("comes with at most ten requests, all below the site's folder", async () => {
     const asked = [];
     const page = await open({
       prepare: (page) => page.on("request", (request) => asked.push(request.url())),
     });
     const folder = new URL("..", page.url()).href;
     expect(asked.filter((url) => !url.startsWith(folder))).toEqual([]);
-    expect(new Set(asked).size).toBeLessThanOrEqual(9);
+    expect(new Set(asked).size).toBeLessThanOrEqual(10);
     // Later: cities, land, and a worker.
     await page.evaluate(() => app.whenFetched);
     const others = asked.filter((url) => !/\.json$|_worker-[\w-]+\.js$/.test(url));
-    expect(new Set(others).size).toBeLessThanOrEqual(9);
+    expect(new Set(others).size).toBeLessThanOrEqual(10);
     expect(page.errors).toEqual([]);
     await closePage(page);
   });
