@@ -163,7 +163,8 @@ const making = {
   constructor: [
     [circles(0, 12), fc.constantFrom(undefined, -1, 0, 2)],
     (all, _, given, r) => {
-      const numbers = r === undefined ? given.flat() : given.flatMap((circle) => circle.slice(0, 2));
+      const pairs = given.flatMap((circle) => circle.slice(0, 2));
+      const numbers = r === undefined ? given.flat() : pairs;
       const circles = given.map(([x, y, own]) => [x, y, r ?? own]);
       begin(all, new Diagram(numbers, { r }), circles);
     },
