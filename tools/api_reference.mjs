@@ -359,7 +359,7 @@ function markdownOf(part, examples) {
   return lines.join("\n");
 }
 
-/** What one surface has and the other has not, and why (tools/surfaces.json), as Markdown. */
+/** The calls that only one surface has, and why (tools/surfaces.json), as Markdown. */
 function surfaces() {
   const table = JSON.parse(readFileSync(path.join(root, "tools/surfaces.json"), "utf8"));
   const said = ({ plane, sphere, reason }) => {

@@ -24,8 +24,8 @@ class Reach {
   explicit Reach(std::span<const double> byId) : byId_(byId.begin(), byId.end()) {
     for (const double distance : byId) note(distance);
   }
-  /// Of some ids, ascending, for calls about one cell; all others have none. Throws std::bad_alloc.
-  /// REQUIRES: as many distances, not none.
+  /// Limits some ids, ascending, for calls about one cell; all others have none. Throws
+  /// std::bad_alloc. REQUIRES: as many distances, not none.
   Reach(std::span<const SiteId> ids, std::span<const double> distances) : Reach(distances) {
     ids_.assign(ids.begin(), ids.end());
   }

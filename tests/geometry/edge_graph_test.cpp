@@ -52,7 +52,7 @@ double clearanceAt(const Circles& circles, Point p) {
   return least;
 }
 
-/// Of both sites, as far as a point of a curve has one.
+/// The distance from both sites, as far as a point of a curve has one.
 double clearanceOn(const Conic& curve, double t, const Circle& a, const Circle& b) {
   const Point p = curve.at(t);
   return (clearanceAt(a, p) + clearanceAt(b, p)) / 2;
@@ -80,7 +80,7 @@ double sizeOf(const Circles& circles) {
   return size;
 }
 
-/// What holds of every view. `tolerance`: of distances.
+/// Checks all that holds in every view. Distances may be off by `tolerance`.
 void expectGraph(const Graph& graph, const Circles& circles, double tolerance) {
   const VertexArrays& vertices = graph.vertices;
   ASSERT_EQ(graph.edges.sites, graph.curves.sites);
@@ -346,8 +346,9 @@ TEST_P(EdgeGraphOn, IsThatOfTheCurves) {
   }
 }
 
-/// Of the whole diagram, by all circles: the middle of two sites is on an edge of them if no other
-/// is nearer to it. Where that is decided by less than the tolerance, the edge may go anywhere.
+/// Checks the whole diagram by all circles: the middle of two sites is on an edge of them if no
+/// other is nearer to it. Where that is decided by less than the tolerance, the edge may go
+/// anywhere.
 TEST_P(EdgeGraphOn, HasTheNarrowestPlacesOfTheDiagram) {
   Random random(6804);
   for (int run = 0; run < runs(sized(4, 30)); ++run) {

@@ -12,7 +12,7 @@ const lake = [
   [-300, -200, 700, -200, 700, 500, -300, 500],
   [100, 100, 300, 120, 200, 260],
 ];
-/** Of the nearest site. */
+/** The distance from the nearest site. */
 const clearanceAt = (x, y) => diagram.nearest(x, y).distance;
 const site = (id) => diagram.site(id);
 const pairsOf = (array) =>

@@ -290,7 +290,7 @@ describe("fitAreasAsync", () => {
     expect((await new Diagram([5, 5, 3]).voronoi().fitAreasAsync([17])).weights).toEqual(
       Float64Array.of(3),
     );
-    // What the callback returns does not matter.
+    // The value that the callback returns does not matter.
     expect((await slowly(built(), { onIteration: () => false })).converged).toBe(true);
   });
 
@@ -312,7 +312,7 @@ describe("fitAreasAsync", () => {
       expect(shares).toEqual([...shares].sort((a, b) => a - b));
       expect(shares[0]).toBeGreaterThanOrEqual(0);
       expect(shares.at(-1)).toBe(1);
-      // Of steps that come nearer than any before, each is seen.
+      // Each step that comes nearer than any before is seen.
       const better = errors.filter((error, k) => errors.slice(0, k).every((one) => one > error));
       expect(new Set(sharesAtSteps).size).toBeGreaterThanOrEqual(Math.min(better.length, 3));
       expect(errors.length).toBe(iterations);

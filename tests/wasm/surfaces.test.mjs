@@ -78,7 +78,7 @@ const bySurface = (own, others) => [
   ["sphere", differenceOf(others, own)],
 ];
 
-/** What two maps of members do not have in common: "plane members Diagram.search". */
+/** Lists the differences of two maps of members: "plane members Diagram.search". */
 function differences(of, plane, sphere) {
   const found = [];
   const add = (...said) => found.push(said.join(" "));

@@ -95,7 +95,7 @@ export function received(bytes: Uint8Array) {
 }
 `;
 
-/** What the compiler says, and in `folder` the program as JavaScript. */
+/** The compiler's messages; writes the program as JavaScript into `folder`. */
 function compile() {
   rmSync(folder, { recursive: true, force: true });
   mkdirSync(folder, { recursive: true });

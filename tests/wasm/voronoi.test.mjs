@@ -229,7 +229,7 @@ test("GeoJSON: closed rings, right-handed, one feature a cell", () => {
   }
 });
 
-// What the most is that a site can cover: within a radius of its centre.
+// The most that a site can cover: all within a radius of its centre.
 test("within a radius", () => {
   const pair = new Diagram([0, 0, 1, 10, 0, 4]);
   const within = (radius) =>

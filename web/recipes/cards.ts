@@ -13,7 +13,7 @@ const kNear = "100px"; // below the window
 /** ms until something is said of a program that has not ended: loops are stopped by then. */
 const kPatience = 8000;
 const kParts = ["core", "shapes", "sphere", "treemap"];
-/** Of the package: its entries, and with them what these import. */
+/** The entries of the package, and with them what these import. */
 const kEntries = ["index", ...kParts, "diagnostics"];
 const kFiles = [...kEntries, "embedded", "errors", ...kParts.map((part) => `${part}/part`)];
 

@@ -14,7 +14,7 @@ namespace apollonius::internal {
 void listEdgeGraph(const DiagramCore& core, const Clipping& clipping, VertexArrays& vertices,
                    EdgeArrays& edges, VertexArrays& narrowest);
 
-/// Of each edge that listEdges() has, the place where it is the nearest to its sites, and the
+/// Lists for each edge that listEdges() has the place where it is the nearest to its sites, and the
 /// distance from them; without sites. Replaces the contents. Throws std::bad_alloc.
 void listNarrowest(const DiagramCore& core, VertexArrays& places);
 

@@ -1,4 +1,4 @@
-// What the declarations of the packed package say, as TypeScript's compiler reads them.
+// The declarations of the packed package, as TypeScript's compiler reads them.
 import path from "node:path";
 import ts from "typescript";
 import { packed } from "./install_packed.mjs";
@@ -98,7 +98,7 @@ export function forgottenExports({ checker, isOwn }, exported, entry) {
     if (!all.has(target) && !isBase && !isExtended && !isImport)
       forgotten.set(target.name, further);
     for (const declaration of target.declarations) {
-      // What an extended alias is made of is extended, too; a class or an interface has members.
+      // An alias extends all that it is made of; a class or an interface has members.
       const isAlias =
         ts.isTypeAliasDeclaration(declaration) || ts.isVariableDeclaration(declaration);
       ts.forEachChild(declaration, (child) => {

@@ -45,9 +45,9 @@ export type Circular =
 export interface ItemKind {
   /** What messages call the numbers of a site. */
   readonly names: readonly [x: string, y: string, r: string];
-  /** What messages call an array of sites. */
+  /** The name of an array of sites in messages. */
   readonly sites: string;
-  /** What messages call an array of points. */
+  /** The name of an array of points in messages. */
   readonly points: string;
   /** What an item without accessors can be. */
   readonly expected: string;
@@ -90,7 +90,7 @@ function radiusWithoutR(item: unknown, index: number): 0 {
   );
 }
 
-/** Of items of which accessors read both coordinates. */
+/** Stands for an item whose coordinates are both read by accessors. */
 const kNothing = [undefined, undefined, undefined] as const;
 
 /** Items that are read in portions, whatever the accessors do to them. */
@@ -174,17 +174,19 @@ class FlatReader implements Reader {
   readonly #kind: ItemKind;
   readonly #numbers: ArrayLike<number>;
   readonly #r: number | undefined;
+  readonly #each: 2 | 3;
 
   /** Throws "bad-length", "not-finite" or "too-large". */
   constructor(kind: ItemKind, numbers: ArrayLike<number>, r: number | undefined) {
     this.#kind = kind;
     this.#numbers = checkedNewSites(kind, numbers, r);
     this.#r = r;
-    this.count = numbers.length / (r === undefined ? 3 : 2);
+    this.#each = r === undefined ? 3 : 2;
+    this.count = this.#numbers.length / this.#each;
   }
 
   triples(from: number, to: number): ArrayLike<number> {
-    const each = this.#r === undefined ? 3 : 2;
+    const each = this.#each;
     const some = Array.prototype.slice.call(this.#numbers, each * from, each * to) as number[];
     const name = each === 3 ? this.#kind.sites : this.#kind.points;
     throwFirst(some, (value, k) =>

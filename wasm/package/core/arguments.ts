@@ -222,7 +222,7 @@ export function checkedNumbers(
   return copied(name, counted(name, values, multipleOf));
 }
 
-/** What messages call arrays of sites, and of points. */
+/** The names of arrays of sites, and of points, in messages. */
 interface ArrayNames {
   readonly sites: string;
   readonly points: string;
@@ -372,7 +372,7 @@ export function checkOptions(options: unknown, ...names: string[]): void {
     if (!names.includes(name)) throw badOptions(`options.${name} is unknown`, names);
 }
 
-/** What `map` gives a call in the place of options, as in `ids.map(view.cellPolygon, view)`. */
+/** Is it an index, which `map` gives in the place of options: `ids.map(view.cellPolygon, view)`? */
 const isIndex = (options: unknown): boolean => Number.isInteger(options) && Number(options) >= 0;
 
 /** A number where options stand is a radius for d3-quadtree, and for d3-delaunay a start. */

@@ -7,7 +7,7 @@ import type { AnyNative } from "./native/module.js";
 import { ofOne, type Space } from "./space.js";
 import type { Edges } from "./types.js";
 
-/** What the diagrams of the plane and of the sphere have in common, but for places. */
+/** The calls without places that the diagrams of the plane and of the sphere have in common. */
 export abstract class DynamicDiagram<Listed> implements Disposable {
   #inner: Inner | null;
 

@@ -18,7 +18,7 @@ export function checkedFilter(filter: unknown): Filter | undefined {
   );
 }
 
-/** What `ask` says, which may call filters and other functions of the caller's. */
+/** Returns the answer of `ask`, which may call filters and other functions of the caller's. */
 export function filtering<Answer>(filters: Filters, ask: () => Answer): Answer {
   ++filters.running;
   try {
@@ -121,7 +121,7 @@ export function passing(
   });
 }
 
-/** What `use` makes of a diagram of the sites that pass, and of their ids in the given one. */
+/** Calls `use` with a diagram of the sites that pass, and with their ids in the given diagram. */
 function amongPassing<Native extends AnyNative, Answer>(
   inner: Inner<Native>,
   passes: Filter,
@@ -141,7 +141,7 @@ function amongPassing<Native extends AnyNative, Answer>(
   }
 }
 
-/** What a question about a diagram says of one of the sites that pass. */
+/** Asks a diagram of the sites that pass, and gives the id of the answer in the given diagram. */
 export function foundAmong(
   inner: Inner,
   filter: Filter,

@@ -31,7 +31,7 @@ import type {
   WithinManyOptions,
 } from "./types.js";
 
-/** What a surface calls its numbers, and how it lists sites. */
+/** The names of the numbers of a surface, and the types of its sites. */
 export interface Surface {
   place: [x: number, y: number];
   places: [xy: ArrayLike<number>];
@@ -89,10 +89,11 @@ interface SurfaceCalls<S extends Surface> {
   // --- The nearest sites -------------------------------------------------------------------------
 
   /**
-   * The nearest site of a point, of those that the options let through; -1 if there is none. With a
-   * `filter` hidden sites count, too. In the plane it is exact, and ties go to the larger r, then
-   * x, then y; on the sphere it is the nearest to within 4e-16 radians. Cost: one location (paper,
-   * section 4), with a filter as kNearest. Throws "not-finite", "out-of-range", "bad-option".
+   * The id of the site that is nearest to a point, among those that the options let through; -1 if
+   * no site is left. With a `filter`, hidden sites count, too. The plane's answer is exact, and
+   * ties go to the larger r, then x, then y; the sphere's is the nearest to within 4e-16 radians.
+   * Cost: one location (paper, section 4), with a filter as kNearest. Throws "not-finite",
+   * "out-of-range", "bad-option".
    */
   find(...args: [...place: S["place"], options?: FindOptions]): number;
 
@@ -171,8 +172,8 @@ interface SurfaceCalls<S extends Surface> {
   /**
    * The site whose far side is the farthest, with the largest |p - c| + r, and that (rounded)
    * distance: in the plane, a circle about the point with that radius holds all circles. null if
-   * there is none. In the plane it is exact, and ties go to the larger r, then x, then y. Cost:
-   * O(length of the hull), on the sphere one location; with a filter that of building. Throws
+   * no site is left. The plane's answer is exact, and ties go to the larger r, then x, then y.
+   * Cost: O(length of the hull), on the sphere one location; with a filter that of building. Throws
    * "not-finite", "out-of-range", "bad-option".
    */
   farthest(...args: [...place: S["place"], options?: FilterOptions]): FoundSite | null;

@@ -140,7 +140,7 @@ export interface KNearestManyOptions extends FindOptions, WithinManyOptions {}
 
 /** A site that a point asks for. */
 export interface FoundSite {
-  /** Of the site. */
+  /** The id of the site. */
   id: number;
   /** From the point to the site, rounded; to its far side, if the farthest was asked for. */
   distance: number;

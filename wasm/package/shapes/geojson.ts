@@ -121,7 +121,7 @@ export function meshOf({ coordinates, starts, parts, cells }: CoverageArrays): C
   });
   const lines: Position[][] = [];
   visitRings((cell, first, last) => {
-    // Of each side: the cell beyond, if that comes later.
+    // By side, the cell beyond it, if that comes later.
     const beyond = Array.from({ length: last - first }, (_, k) => {
       const other = owners.get(keyOf(first + k + 1, first + k));
       return other !== undefined && other > cell ? other : -1;

@@ -18,7 +18,7 @@ import type {
 
 const kPoints = 1024; // interpolated between two looks at the clock
 
-/** What a view tells those who interpolate. */
+/** The parts of a view that interpolation needs. */
 export interface Asked<Native extends AnyNative> {
   /** How far its cells reach. */
   readonly limit: MaxDistance;

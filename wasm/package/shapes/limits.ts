@@ -57,7 +57,7 @@ export function limitsOf({ native, filters }: Inner, limit: MaxDistance): Limits
 
 /** Is a site as near as that? Exact. */
 export function isWithin(native: AnyNative, most: number, x: number, y: number): boolean {
-  return most === Infinity || native.kNearest(x, y, 1, most).length > 0;
+  return most === Infinity || native.findWithin(x, y, most) !== -1;
 }
 
 /** Is a site the nearest one, and does its cell reach so far? */

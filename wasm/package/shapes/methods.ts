@@ -92,7 +92,7 @@ export interface DiagramClass extends Pick<typeof Core, "from" | "fromAsync" | "
    * (no multiple of 3, or of 2), "too-large" (more than 2^29 sites), "bad-option".
    */
   new (xyr?: ArrayLike<number>, options?: RadiusOption): Diagram;
-  /** What all diagrams have in common. */
+  /** The calls of all diagrams. */
   readonly prototype: Diagram;
   from<T extends Circular>(items: Items<T>, options?: RadiusOption): Diagram;
   from<T>(items: Items<T>, x: Accessor<T>, y: Accessor<T>, options?: RadiusOption): Diagram;

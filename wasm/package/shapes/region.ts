@@ -32,17 +32,17 @@ export type Region = Ring | ArrayLike<Ring> | ArrayLike<ArrayLike<Ring>> | GeoJS
 
 /** A disc: its centre and its radius, > 0. */
 export interface Disc {
-  /** Of the centre. */
+  /** Coordinate of the centre. */
   readonly x: number;
-  /** Of the centre. */
+  /** Coordinate of the centre; upwards. */
   readonly y: number;
   /** Radius, > 0. */
   readonly r: number;
 }
 
 /**
- * What a window can be: bounds; a region; or a disc, which is the polygon of 512 points on its
- * circle.
+ * The window of a view: bounds; a region; or a disc, which is taken as the polygon of 512 points on
+ * its circle.
  */
 export type WindowShape = Bounds | Region | Disc;
 
@@ -78,6 +78,8 @@ export function checkedRings(region: unknown): FlatRings {
 function bad(message: string): ApolloniusError {
   return new ApolloniusError("bad-bounds", message);
 }
+
+const kHalvings = 7; // of the quarters of a disc's circle
 
 /** The circle of a disc as a ring; undefined if it is none. Throws "bad-bounds". */
 function ringOfDisc(disc: unknown): [number, number][] | undefined {
@@ -130,8 +132,6 @@ function ringsOf(region: unknown, types = kTypes): unknown {
       `or ${types.at(-1)}`,
   );
 }
-
-const kHalvings = 7; // of the quarters of a disc's circle
 
 // Collections hold multi-polygons, these polygons, these rings.
 const kDeepest = 3;

@@ -129,7 +129,7 @@ export class Voronoi implements Disposable {
   /** The window itself: its area, its centroid, and which points it contains. */
   readonly window: VoronoiWindow;
   readonly #region: NativeRegion | null = null;
-  /** How far cells reach; of a number there is the other for the library. */
+  /** How far cells reach. If it is a finite number, #reach holds it for the library. */
   readonly #limit: MaxDistance;
   readonly #reach: NativeReach | null = null;
   readonly #project: Projection | undefined;
@@ -345,9 +345,9 @@ export class Voronoi implements Disposable {
   }
 
   /**
-   * What `edgeCurves` has as a graph: row k is the edge of curve k, between rows of `vertices()`;
-   * no end is unbounded. With `clearance` also the narrowest place of each: of a road or a pore.
-   * O(n). Throws "bad-option".
+   * The edges of `edgeCurves` as a graph: row k is the edge of curve k, between rows of
+   * `vertices()`; no end is unbounded. With `clearance` also the narrowest place of each: of a road
+   * or a pore. O(n). Throws "bad-option".
    */
   edges(options: EdgeOptions & { clearance: true }): EdgesWithClearance;
   edges(options?: EdgeOptions): Edges;
@@ -369,9 +369,9 @@ export class Voronoi implements Disposable {
   }
 
   /**
-   * What cells have in common as lines of GeoJSON, each edge once, in the points that it has in the
-   * polygons of `toGeoJSON`. Nothing of the window's border, nor of where a maxDistance ends cells
-   * that have no neighbour there. Cost, errors: as `toGeoJSON`.
+   * The edges between cells as lines of GeoJSON, each once, in the points that it has in the
+   * polygons of `toGeoJSON`. The window's border, and boundaries at a maxDistance, which no
+   * neighbour shares, are left out. Cost, errors: as `toGeoJSON`.
    */
   cellMesh(options?: Pick<GeometryOptions, "tolerance">): CellMesh {
     Voronoi.#living(this);
@@ -570,9 +570,10 @@ export class Voronoi implements Disposable {
   }
 
   /**
-   * The areas of all cells inside the window, by id; 0 where there is none. They add up to the
-   * window's. O(n), much faster than a loop. Their last places depend on the diagram's history, as
-   * do those of the next two and of `render`; those of `cellArea` and of all else do not.
+   * The areas of all cells inside the window: element k is that of site k, 0 if that has no cell
+   * there. Without a maxDistance they add up to the window's. O(n), much faster than a loop. Their
+   * last places depend on the diagram's history, as do those of the next two and of `render`; those
+   * of `cellArea` and of all else do not.
    */
   cellAreas(): Float64Array {
     return Voronoi.#clipped(this, undefined, (native, windowNow) =>
@@ -581,8 +582,8 @@ export class Voronoi implements Disposable {
   }
 
   /**
-   * The centroids of all cells inside the window: x at 2 id and y at 2 id + 1, NaN where there is
-   * none. O(n).
+   * The centroids of all cells inside the window: x at 2 id and y at 2 id + 1, NaN for a site that
+   * has no cell there. O(n).
    */
   cellCentroids(): Float64Array {
     return Voronoi.#clipped(this, undefined, (native, windowNow) =>
@@ -590,7 +591,7 @@ export class Voronoi implements Disposable {
     );
   }
 
-  /** The perimeters of all cells inside the window, by id; 0 where there is none. O(n). */
+  /** The perimeters of all cells inside the window, in the order of `cellAreas`. O(n). */
   cellPerimeters(): Float64Array {
     return Voronoi.#clipped(this, undefined, (native, windowNow) =>
       native.cellPerimeters(...windowNow()),
@@ -707,7 +708,7 @@ export class Voronoi implements Disposable {
     );
   }
 
-  /** What `ask` says of some cells, or of all. */
+  /** Asks about some cells, or about all, in the window as it is now. */
   static #clipped<Answer>(
     view: Voronoi,
     ids: readonly number[] | undefined,
@@ -728,7 +729,7 @@ export class Voronoi implements Disposable {
     return [id, ...native.neighbors(id)].sort((a, b) => a - b);
   }
 
-  /** What interpolation asks. */
+  /** The parts of the view that interpolation needs. */
   static #asked(view: Voronoi): Asked<NativeShapes> {
     Voronoi.#living(view);
     return {
@@ -747,7 +748,7 @@ export class Voronoi implements Disposable {
     return Voronoi.#ofCell(view, id, (native, windowNow) => native.cellMoments(...windowNow(), id));
   }
 
-  /** What a call says of a cell. */
+  /** Calls the library about a cell. */
   static #ofCell<Moments extends CellMoments>(
     view: Voronoi,
     id: number,

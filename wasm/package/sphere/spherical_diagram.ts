@@ -70,8 +70,8 @@ export class SphericalDiagram extends SurfaceDiagram<Sphere> {
    * the constructor, naming the item; "bad-option" if an item without r has a `radius`, `size` or
    * `weight`, which nothing would read.
    */
-  // First that of items: the words of GeoJSON in what a function gives are taken for strings by an
-  // overload that expects none.
+  // The overload for items comes first: after one for numbers, TypeScript takes the "Point" of a
+  // GeoJSON object that a function returns for any string.
   static from<T extends Spherical>(
     items: Items<T> | { readonly type: "FeatureCollection"; readonly features: Items<T> },
     options?: SphericalOptions,

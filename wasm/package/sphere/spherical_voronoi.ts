@@ -55,7 +55,7 @@ type SphericalDiagram = import("./spherical_diagram.js").SphericalDiagram;
  * The cells of a diagram of the sphere, as measures and polygons: `diagram.voronoi()`. A view
  * always shows the diagram as it is now. Its calls are those of the plane's `Voronoi`. There is no
  * window, so cells have one part, without holes, and none is outside; there are no drawings, as
- * maps are drawn from GeoJSON, and no curves, as bisectors of the sphere are none that files know.
+ * maps are drawn from GeoJSON, and no curves, as no file format has bisectors of the sphere.
  *
  * Everywhere: an id without a site throws "unknown-site"; a hidden site, which has no cell, and a
  * cell that ends at its site's centre or before give nothing: null for places and shapes, 0 for
@@ -137,9 +137,9 @@ export class SphericalVoronoi {
   }
 
   /**
-   * What cells have in common as lines of GeoJSON, each edge once, joined by arcs of great circles
-   * in the points of `cellPolygons`. Nothing of where a maxDistance ends cells that have no
-   * neighbour there. O(n + points).
+   * The edges between cells as lines of GeoJSON, each once, through the points of `cellPolygons`,
+   * which arcs of great circles join. Boundaries at a maxDistance, which no neighbour shares, are
+   * left out. O(n + points).
    */
   cellMesh(options?: Pick<SphericalPolygonOptions, "tolerance">): CellMesh {
     const { native } = SphericalVoronoi.#inner(this);
@@ -299,7 +299,7 @@ export class SphericalVoronoi {
 
   /**
    * The mean of a cell's points, as a direction: longitude and latitude; the site's centre where
-   * there is none, as of the whole sphere. null for a hidden site. O(d).
+   * the mean has no direction, as of the whole sphere. null for a hidden site. O(d).
    */
   cellCentroid(id: number): Position | null {
     return SphericalVoronoi.#ofCell(this, id, (native, limit) => centroidOf(native, id, limit));
@@ -330,8 +330,8 @@ export class SphericalVoronoi {
   }
 
   /**
-   * The centroids of all cells: longitude at 2 id and latitude at 2 id + 1, NaN where there is
-   * none. O(n).
+   * The centroids of all cells: longitude at 2 id and latitude at 2 id + 1, NaN for a site
+   * without a cell. O(n).
    */
   cellCentroids(): Float64Array {
     const limits = SphericalVoronoi.#limits(this);
@@ -369,7 +369,7 @@ export class SphericalVoronoi {
     return typeof limits === "number" ? [limits] : limits;
   }
 
-  /** What `ask` says of a cell and how far it reaches now. */
+  /** Asks about a cell, with how far it reaches now. */
   static #ofCell<Answer>(
     view: SphericalVoronoi,
     id: number,
@@ -402,7 +402,7 @@ export class SphericalVoronoi {
     });
   }
 
-  /** What interpolation asks. */
+  /** The parts of the view that interpolation needs. */
   static #asked(view: SphericalVoronoi): Asked<Native> {
     SphericalVoronoi.#inner(view);
     return {
@@ -423,7 +423,7 @@ function centroidOf(native: Native, id: number, limit: number): Position | null 
   return Number.isNaN(lon) ? null : [lon, lat];
 }
 
-/** Of polygons of all cells: is there one, which is the whole sphere and is not cut? */
+/** Is the only cell of these polygons the whole sphere, and not cut? */
 function isSphere({ parts, sites }: CoverageArrays): boolean {
   return parts.length === 1 && sites.length > 0;
 }

@@ -59,7 +59,7 @@ interface Framed {
 export interface Shape extends Pick<Framed, "bounds"> {
   /** The cell of the root. */
   readonly cell: Cell;
-  /** Of polygons and drawings in all of the shape. */
+  /** The tolerance of polygons and drawings, in all of the shape. */
   readonly tolerance: number;
 }
 

@@ -12,7 +12,7 @@ export type { Disc };
  */
 export type TreemapShape = Bounds | Region | Disc;
 
-/** What a treemap reads of a node: d3-hierarchy's nodes have it, and a plain tree can have it. */
+/** The properties of nodes that a treemap reads: of d3-hierarchy's nodes and of plain trees. */
 export interface TreemapNode<Datum = unknown> {
   /** What the node stands for. */
   readonly data: Datum;
