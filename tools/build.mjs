@@ -115,7 +115,14 @@ function wasmAsText(built, texts) {
   };
 }
 
-const classes = ["ApolloniusError", "Diagram", "SphericalDiagram", "SphericalVoronoi", "Voronoi"];
+const classes = [
+  "ApolloniusError",
+  "Diagram",
+  "SphericalDiagram",
+  "SphericalVoronoi",
+  "Voronoi",
+  "VoronoiWindow",
+];
 const ownNames = new RegExp(`\\b_(${classes.join("|")})\\b`, "g");
 
 /**

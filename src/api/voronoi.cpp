@@ -362,6 +362,13 @@ Error Voronoi::drawCell(SiteId id, double tolerance, Path& path) const {
   });
 }
 
+Error Voronoi::drawCells(double tolerance, Portion& portion, CellDrawings& cells) const {
+  const Error error = firstOf(windowError(), toleranceError(tolerance));
+  return clipped(error, [&](const Clipping& clipping) {
+    internal::drawCells(*diagram_.core_, clipping, toleranceIn(bounds_, tolerance), portion, cells);
+  });
+}
+
 Error Voronoi::cellPaths(double tolerance, unsigned digits, Portion& portion,
                          CellPaths& paths) const {
   const Error error =

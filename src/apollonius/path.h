@@ -66,10 +66,13 @@ struct Portion {
   bool isDone = false;
 };
 
-/// SVG path data of cells, one after the other.
-struct CellPaths {
-  std::vector<std::uint8_t> text;  ///< ASCII
-  std::vector<double> ends;        ///< of each cell its site, and where its text ends
+/// Cells, one after the other, as drawings or as SVG path data (ASCII).
+template <class Content>
+struct CellsOf {
+  Content content;
+  std::vector<double> ends;  ///< of each cell its site, and where its commands or its text end
 };
+using CellDrawings = CellsOf<Path>;
+using CellPaths = CellsOf<std::vector<std::uint8_t>>;
 
 }  // namespace apollonius

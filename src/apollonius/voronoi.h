@@ -186,10 +186,12 @@ class APOLLONIUS_EXPORT Voronoi {
   [[nodiscard]] Error drawDual(double tolerance, bool rays, Portion& portion, Path& path) const;
   /// A cell as closed figures, one for each ring.
   [[nodiscard]] Error drawCell(SiteId id, double tolerance, Path& path) const;
-  /// A portion of all cells as text, in any order, each as drawCell() draws it; numbers are rounded
-  /// to `digits` decimal places (kOutOfRange above 15) and written as JavaScript writes them. One
-  /// that has more than 15 digits then cannot be: no cell, and not done. Cost: O(h) for sites
-  /// spread evenly.
+  /// A portion of all cells, in any order, each as drawCell() draws it. Cost: O(h) for sites spread
+  /// evenly.
+  [[nodiscard]] Error drawCells(double tolerance, Portion& portion, CellDrawings& cells) const;
+  /// The same as text; numbers are rounded to `digits` decimal places (kOutOfRange above 15) and
+  /// written as JavaScript writes them. One that has more than 15 digits then cannot be: no cell,
+  /// and not done.
   [[nodiscard]] Error cellPaths(double tolerance, unsigned digits, Portion& portion,
                                 CellPaths& paths) const;
   [[nodiscard]] Error drawHull(double tolerance, Path& path) const;

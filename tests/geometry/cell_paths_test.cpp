@@ -2,6 +2,7 @@
 // does.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <string>
@@ -19,8 +20,9 @@ std::string written(double x, unsigned digits) {
   Path path;
   path.move(x, 0);
   std::vector<std::uint8_t> text;
-  return internal::PathWriter(digits).write(path, text) ? std::string(text.begin(), text.end())
-                                                        : "too long";
+  const double* end =
+      internal::PathWriter(digits).write(path.commands, path.coordinates.data(), text);
+  return end != nullptr ? std::string(text.begin(), text.end()) : "too long";
 }
 
 TEST(PathWriter, WritesNumbersAsJavaScriptDoes) {
@@ -78,7 +80,8 @@ TEST(CellPaths, AreTheDrawingsOfTheCells) {
     for (std::size_t k = 0; k < paths.ends.size(); k += 2) {
       const auto id = static_cast<SiteId>(paths.ends[k]);
       const auto end = static_cast<std::size_t>(paths.ends[k + 1]);
-      const Path path = parsed(std::string(paths.text.data() + begin, paths.text.data() + end));
+      const auto* text = paths.content.data();
+      const Path path = parsed(std::string(text + begin, text + end));
       Path cell;
       ASSERT_EQ(voronoi.drawCell(id, tolerance, cell), Error::kNone);
       ASSERT_EQ(path.commands, cell.commands) << id;
@@ -96,6 +99,37 @@ TEST(CellPaths, AreTheDrawingsOfTheCells) {
   }
   CellPaths paths;
   EXPECT_EQ(voronoi.cellPaths(tolerance, 16, portion, paths), Error::kOutOfRange);
+}
+
+TEST(CellDrawings, AreTheDrawingsOfTheCellsOneAfterTheOther) {
+  Random random(15);
+  const Circles circles = randomCircles(random, 80, Hidden::k20Percent);
+  Diagram diagram;
+  insertInto(diagram, circles);
+  Bounds bounds;
+  ASSERT_TRUE(windowAround(circles, -0.3, bounds));
+  const Voronoi voronoi(diagram, bounds);
+  std::size_t drawn = 0;
+  Portion portion{0, 25};
+  while (!portion.isDone) {
+    CellDrawings cells;
+    ASSERT_EQ(voronoi.drawCells(0.01, portion, cells), Error::kNone);
+    Path joined;
+    for (std::size_t k = 0; k < cells.ends.size(); k += 2, ++drawn) {
+      Path cell;
+      ASSERT_EQ(voronoi.drawCell(static_cast<SiteId>(cells.ends[k]), 0.01, cell), Error::kNone);
+      EXPECT_FALSE(cell.commands.empty());
+      joined.commands.insert(joined.commands.end(), cell.commands.begin(), cell.commands.end());
+      joined.coordinates.insert(joined.coordinates.end(), cell.coordinates.begin(),
+                                cell.coordinates.end());
+      EXPECT_EQ(cells.ends[k + 1], joined.commands.size());
+    }
+    EXPECT_EQ(cells.content.commands, joined.commands);
+    EXPECT_EQ(cells.content.coordinates, joined.coordinates);
+  }
+  std::vector<double> areas;
+  ASSERT_EQ(voronoi.cellAreas(areas), Error::kNone);
+  EXPECT_EQ(drawn, areas.size() - std::count(areas.begin(), areas.end(), 0.0));
 }
 
 TEST(CellPaths, OfNumbersWithTooManyDigitsAreNotDone) {

@@ -515,13 +515,13 @@ TEST(Reach, PathsOfCellsInPortionsMakeUpTheWhole) {
       Portion all, portion{0, 20};
       ASSERT_EQ(voronoi.cellPaths(0.01, 3, all, whole), Error::kNone);
       EXPECT_TRUE(all.isDone);
-      EXPECT_FALSE(whole.text.empty());
+      EXPECT_FALSE(whole.content.empty());
       std::vector<std::uint8_t> joined;
       while (!portion.isDone) {
         ASSERT_EQ(voronoi.cellPaths(0.01, 3, portion, part), Error::kNone);
-        joined.insert(joined.end(), part.text.begin(), part.text.end());
+        joined.insert(joined.end(), part.content.begin(), part.content.end());
       }
-      EXPECT_EQ(joined, whole.text);
+      EXPECT_EQ(joined, whole.content);
     }
   }
 }

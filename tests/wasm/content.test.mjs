@@ -3,6 +3,7 @@ import assert from "node:assert";
 import { inspect } from "node:util";
 import { serialize } from "node:v8";
 import { ApolloniusError, Diagram } from "../../build/packed/consumer.mjs";
+import { SphericalDiagram } from "../../build/packed/sphere.mjs";
 import { randomCircles } from "./support/random.mjs";
 import { expectRefusal } from "./support/refusal.mjs";
 
@@ -112,14 +113,17 @@ test("consoles show a few words", () => {
   const diagram = new Diagram(xyr);
   expect(inspect(diagram)).toBe("Diagram { size: 3, hidden: 1 }");
   expect(`${diagram}`).toBe("Diagram { size: 3, hidden: 1 }");
-  expect(inspect(diagram.voronoi([0, 0, 4, 5]))).toMatch(
-    /^Voronoi \{\s+diagram: Diagram \{ size: 3, hidden: 1 \},\s+xmin: 0,/,
-  );
+  const view = diagram.voronoi([0, 0, 4, 5]);
+  expect(inspect(view)).toBe("Voronoi { window: [0, 0, 4, 5], cells: 2 }");
+  expect(inspect(view.window)).toMatch(/^VoronoiWindow \{\s+bounds: \[ 0, 0, 4, 5 \],\s+area: 20,/);
+  const globe = new SphericalDiagram([0, 0, 0, 90, 0, 0]);
+  expect(inspect(globe.voronoi())).toBe("SphericalVoronoi { cells: 2 }");
   expect(
     [diagram, diagram.voronoi()].map((object) => Object.prototype.toString.call(object)),
   ).toEqual(["[object Diagram]", "[object Voronoi]"]);
   diagram.dispose();
   expect([inspect(diagram), String(diagram)]).toEqual(Array(2).fill("Diagram { disposed }"));
+  expect(inspect(view)).toBe("Voronoi { disposed }");
 });
 
 test("names are as documented, though the package is minified", () => {

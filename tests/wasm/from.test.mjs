@@ -1,5 +1,7 @@
 // Diagram.from: items of all kinds, accessors as in d3.
 import { ApolloniusError, Diagram } from "../../build/packed/consumer.mjs";
+import { SphericalDiagram } from "../../build/packed/sphere.mjs";
+import { expectRefusal } from "./support/refusal.mjs";
 
 const expected = [
   { x: 1, y: 2, r: 3 },
@@ -146,6 +148,35 @@ test.each([
   expect(() => Diagram.from(items)).toThrow(
     expect.objectContaining({ code: "not-finite", message: expect.stringContaining(message) }),
   );
+});
+
+test("what looks like a place, and what is not awaited, is refused with the remedy", () => {
+  for (const [lon, lat] of [
+    ["lng", "lat"],
+    ["lon", "lat"],
+    ["longitude", "latitude"],
+  ]) {
+    const items = [{ [lon]: 2, [lat]: 48 }];
+    const remedy = `: SphericalDiagram.from(items, (d) => d.${lon}, (d) => d.${lat}) reads places`;
+    expectRefusal(() => Diagram.from(items), "not-finite", remedy);
+    const globe = SphericalDiagram.from(
+      items,
+      (d) => d[lon],
+      (d) => d[lat],
+    );
+    expect(globe.site(0)).toEqual({ lon: 2, lat: 48, r: 0 });
+    if (lon === "lon") continue;
+    expectRefusal(() => SphericalDiagram.from(items), "not-finite", remedy);
+  }
+  const said = expectRefusal(() => Diagram.from([{}]), "not-finite", "x of item 0 is undefined");
+  expect(said.message).not.toContain("Spherical");
+  for (const call of [
+    (promise) => Diagram.from(promise),
+    (promise) => new Diagram(promise),
+    (promise) => SphericalDiagram.from(promise),
+    (promise) => Diagram.fromBytes(promise),
+  ])
+    expectRefusal(() => call(Promise.resolve([])), "bad-length", "is a promise, not awaited");
 });
 
 test("an item out of range is named", () => {

@@ -2,6 +2,7 @@
 import { Diagram } from "../../build/packed/consumer.mjs";
 import { levels } from "../../build/packed/diagnostics.mjs";
 import { randomCircles } from "./support/random.mjs";
+import { expectRefusal } from "./support/refusal.mjs";
 
 const kBounds = [-900, -700, 1000, 800];
 const diagram = new Diagram(randomCircles(3000, 171, 12));
@@ -52,6 +53,52 @@ test("null for what has no cell in the window", () => {
   paths.forEach((path, id) => expect(path === null).toBe(areas[id] === 0));
   expect(new Diagram().voronoi().renderCells()).toEqual([]);
   expect(new Diagram([1, 2, 3]).voronoi().renderCells()).toEqual(["M0,0L960,0L960,500L0,500Z"]);
+});
+
+/** A context that writes what it is told. */
+function recorder() {
+  let text = "";
+  const points = (letter) => (...xy) => void (text += `${letter}${xy}`);
+  return {
+    moveTo: points("M"),
+    lineTo: points("L"),
+    bezierCurveTo: points("C"),
+    closePath: points("Z"),
+    beginPath: () => void (text = ""),
+    text: () => text,
+  };
+}
+
+test.each(Object.entries(views))("in %s, a context gets cell after cell", (_, view) => {
+  for (const options of [undefined, { tolerance: 20 }]) {
+    const context = recorder();
+    const paths = new Array(view.cellAreas().length).fill(null);
+    view.renderCells(context, (id) => (paths[id] = context.text()), options);
+    expect(paths).toEqual(oneByOne(view, options));
+  }
+});
+
+test("a context without beginPath gets one path of all cells", () => {
+  const { beginPath, text, ...context } = recorder();
+  const ids = [];
+  views.bounds.renderCells(context, (id) => ids.push(id));
+  const cells = oneByOne(views.bounds);
+  expect(text()).toBe(ids.map((id) => cells[id]).join(""));
+  expect(ids.length).toBe(cells.filter(Boolean).length);
+});
+
+test("what each throws ends the drawing; what is no context or function is refused", () => {
+  const stop = new Error("enough");
+  const seen = [];
+  const each = (id) => {
+    if (seen.push(id) === 3) throw stop;
+  };
+  expect(() => views["a distance"].renderCells(recorder(), each)).toThrow(stop);
+  expect(seen).toHaveLength(3);
+  expectRefusal(() => views.bounds.renderCells(recorder()), "bad-option", "each is undefined");
+  expectRefusal(() => views.bounds.renderCells(null, () => {}), "bad-option", "context is null");
+  expectRefusal(() => views.bounds.renderCells({}, () => {}), "bad-option", "moveTo");
+  expectRefusal(() => views.bounds.renderCells("x"), "bad-option", "options is the string");
 });
 
 test("digits are by default what the tolerance needs", () => {

@@ -97,7 +97,7 @@ test("after any history", () => {
 
 // --- Where bytes come from -----------------------------------------------------------------------
 
-test("bytes may be a view, at odd offsets, shared, of another realm, a Buffer", () => {
+test("bytes may be a view, at odd offsets, shared, of another realm, or all of a buffer", () => {
   const shared = new Uint8Array(new SharedArrayBuffer(recorded.length + 3), 3);
   shared.set(recorded);
   const odd = new Uint8Array(recorded.length + 9).subarray(5, recorded.length + 5);
@@ -107,6 +107,8 @@ test("bytes may be a view, at odd offsets, shared, of another realm, a Buffer", 
     odd,
     runInNewContext("Uint8Array.from(values)", { values: [...recorded] }),
     Buffer.from(recorded),
+    recorded.buffer,
+    runInNewContext("Uint8Array.from(values).buffer", { values: [...recorded] }),
   ]) {
     expect(Diagram.fromBytes(bytes).toBytes()).toEqual(recorded);
   }
@@ -117,7 +119,7 @@ test.each([
   ["null", null, "bytes is null"],
   ["a string", "Apol", 'bytes is the string "Apol"'],
   ["an array of numbers", [...recorded], "bytes is an array"],
-  ["a buffer", recorded.buffer, "bytes is an object"],
+  ["shared memory itself", new SharedArrayBuffer(8), "expected a Uint8Array or an ArrayBuffer"],
   ["other elements", new Uint8ClampedArray(recorded), "bytes is Uint8ClampedArray("],
   ["a view for all", new DataView(recorded.buffer), "bytes is an object"],
 ])("%s is refused", (_, bytes, message) => {
@@ -128,6 +130,7 @@ test("a detached buffer is refused", () => {
   const bytes = recorded.slice();
   structuredClone(bytes, { transfer: [bytes.buffer] });
   expectRefusal(() => Diagram.fromBytes(bytes), "bad-length", "detached");
+  expectRefusal(() => Diagram.fromBytes(bytes.buffer), "bad-length", "bytes is an object");
 });
 
 // --- Damage --------------------------------------------------------------------------------------

@@ -58,10 +58,12 @@ std::vector<double> interpolate(const Diagram& diagram, const Region* region, co
 
 enum class Drawing : std::uint8_t { kEdges, kSites, kDual, kDualWithRays, kHull };
 
-/// A part of a drawing, and where the next one begins.
+/// A part of a drawing, and where the next one begins; in `ends` of cells each one's site, and where
+/// its commands end.
 struct Portion {
   std::vector<std::uint8_t> commands;
   std::vector<double> coordinates;
+  std::vector<double> ends{};
   std::size_t cursor = 0;
   bool isDone = true;
 };
@@ -96,7 +98,8 @@ Portion draw(const Diagram& diagram, const Region* region, const Reach* reach, d
     return voronoi.drawHull(tolerance, path);
   };
   check(drawn());
-  return {std::move(path.commands), std::move(path.coordinates), portion.cursor, portion.isDone};
+  return {
+      std::move(path.commands), std::move(path.coordinates), {}, portion.cursor, portion.isDone};
 }
 
 Portion drawCell(const Diagram& diagram, const Region* region, const Reach* reach, double xmin,
@@ -106,9 +109,20 @@ Portion drawCell(const Diagram& diagram, const Region* region, const Reach* reac
   return {std::move(path.commands), std::move(path.coordinates)};
 }
 
-/// About this many commands of cells as SVG path data: `commands` is the text, and `coordinates`
-/// has each cell's site and where its text ends. Not done and without a cell: some number has too
-/// many digits.
+/// About this many commands of all cells, from the cursor on.
+Portion drawCells(const Diagram& diagram, const Region* region, const Reach* reach, double xmin,
+                  double ymin, double xmax, double ymax, double tolerance, std::size_t cursor,
+                  std::size_t commands) {
+  apollonius::CellDrawings cells;
+  apollonius::Portion portion{cursor, commands};
+  check(voronoiIn(diagram, region, reach, {xmin, ymin, xmax, ymax})
+            .drawCells(tolerance, portion, cells));
+  return {std::move(cells.content.commands), std::move(cells.content.coordinates),
+          std::move(cells.ends), portion.cursor, portion.isDone};
+}
+
+/// The same as SVG path data: `commands` is the text. Not done and without a cell: some number has
+/// too many digits.
 Portion cellPaths(const Diagram& diagram, const Region* region, const Reach* reach, double xmin,
                   double ymin, double xmax, double ymax, double tolerance, unsigned digits,
                   std::size_t cursor, std::size_t commands) {
@@ -116,7 +130,7 @@ Portion cellPaths(const Diagram& diagram, const Region* region, const Reach* rea
   apollonius::Portion portion{cursor, commands};
   check(voronoiIn(diagram, region, reach, {xmin, ymin, xmax, ymax})
             .cellPaths(tolerance, digits, portion, paths));
-  return {std::move(paths.text), std::move(paths.ends), portion.cursor, portion.isDone};
+  return {std::move(paths.content), {}, std::move(paths.ends), portion.cursor, portion.isDone};
 }
 
 /// A region for windows on diagrams of this instance of the module.
@@ -236,6 +250,7 @@ void registerShapes() {
   value_object<Portion>("Portion")
       .field("commands", &Portion::commands)
       .field("coordinates", &Portion::coordinates)
+      .field("ends", &Portion::ends)
       .field("cursor", &Portion::cursor)
       .field("isDone", &Portion::isDone);
 
@@ -260,6 +275,7 @@ void registerShapes() {
   function("finishFit", &finishFit);
   function("draw", &draw, allow_raw_pointers(), moved);
   function("drawCell", &drawCell, allow_raw_pointers(), moved);
+  function("drawCells", &drawCells, allow_raw_pointers(), moved);
   function("cellPaths", &cellPaths, allow_raw_pointers(), moved);
   function("cellPolygon", inWindow<&Voronoi::cellPolygon>(), allow_raw_pointers(), moved);
   function("cellPolygons", inWindow<&Voronoi::cellPolygons>(), allow_raw_pointers(), moved);

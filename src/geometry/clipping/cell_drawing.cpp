@@ -1,5 +1,8 @@
 #include "geometry/clipping/cell_drawing.h"
 
+#include <span>
+#include <utility>
+
 #include "geometry/draw/cubics.h"
 #include "geometry/draw/path_writer.h"
 
@@ -25,29 +28,45 @@ void drawCell(const Cell& cell, Tolerance tolerance, Path& path) {
     drawClosed(cell.ring(ring), tolerance, path);
 }
 
-void writeCells(const DiagramCore& core, const Clipping& clipping, Tolerance tolerance,
-                unsigned digits, Portion& portion, CellPaths& paths) {
-  paths = {};
+void drawCells(const DiagramCore& core, const Clipping& clipping, Tolerance tolerance,
+               Portion& portion, CellDrawings& drawings) {
+  drawings = {};
+  Path& path = drawings.content;
   const auto cells = clipping.cells(Parts::kWithArea);
   cells->expectAll();
-  PathWriter writer(digits);
-  Path path;
   // By slot: as sites lie in memory, they lie in the plane.
-  for (std::size_t drawn = 0; portion.cursor < core.ids().slots(); ++portion.cursor) {
+  for (; portion.cursor < core.ids().slots(); ++portion.cursor) {
+    const std::size_t drawn = path.commands.size();
     if (drawn >= portion.commands) return;
     const auto slot = static_cast<Slot>(portion.cursor);
-    path.clear();
     drawCell(cells->find(slot), tolerance, path);
-    if (path.commands.empty()) continue;
-    drawn += path.commands.size();
-    if (!writer.write(path, paths.text)) {
+    if (path.commands.size() == drawn) continue;
+    drawings.ends.push_back(core.ids().idOf(slot));
+    drawings.ends.push_back(static_cast<double>(path.commands.size()));
+  }
+  portion.isDone = true;
+}
+
+void writeCells(const DiagramCore& core, const Clipping& clipping, Tolerance tolerance,
+                unsigned digits, Portion& portion, CellPaths& paths) {
+  CellDrawings drawings;
+  drawCells(core, clipping, tolerance, portion, drawings);
+  paths = {{}, std::move(drawings.ends)};
+  PathWriter writer(digits);
+  const double* numbers = drawings.content.coordinates.data();
+  const std::span<const std::uint8_t> commands(drawings.content.commands);
+  std::size_t from = 0;
+  for (std::size_t k = 1; k < paths.ends.size(); k += 2) {
+    const auto to = static_cast<std::size_t>(paths.ends[k]);
+    numbers = writer.write(commands.subspan(from, to - from), numbers, paths.content);
+    if (numbers == nullptr) {
+      portion.isDone = false;
       paths.ends.clear();
       return;
     }
-    paths.ends.push_back(core.ids().idOf(slot));
-    paths.ends.push_back(static_cast<double>(paths.text.size()));
+    paths.ends[k] = static_cast<double>(paths.content.size());
+    from = to;
   }
-  portion.isDone = true;
 }
 
 }  // namespace apollonius::internal

@@ -90,6 +90,19 @@ function radiusWithoutR(item: unknown, index: number): 0 {
   );
 }
 
+/** The remedy for an item with a longitude under whatever name, if there is no accessor of it. */
+function hintOfPlace(item: unknown): string {
+  if (typeof item !== "object" || item === null) return "";
+  const names = [
+    ["lng", "lat"],
+    ["lon", "lat"],
+    ["longitude", "latitude"],
+  ].find(([lon]) => lon! in item);
+  return names
+    ? `: SphericalDiagram.from(items, (d) => d.${names[0]}, (d) => d.${names[1]}) reads places`
+    : "";
+}
+
 /** Stands for an item whose coordinates are both read by accessors. */
 const kNothing = [undefined, undefined, undefined] as const;
 
@@ -148,7 +161,7 @@ class ItemReader<T> implements Reader {
       if (usual === undefined)
         throw new ApolloniusError(
           "not-finite",
-          `item ${index} is ${described(item)}, expected ${kind.expected}`,
+          `item ${index} is ${described(item)}, expected ${kind.expected}${hintOfPlace(item)}`,
         );
       const isGiven = r || this.#r !== undefined || usual[2] !== undefined;
       const own = isGiven ? (this.#r ?? usual[2]) : radiusWithoutR(item, index);
@@ -159,12 +172,20 @@ class ItemReader<T> implements Reader {
       ];
       values.forEach((value, axis) => {
         // Names are made for errors only, as they cost more than the check.
-        if (kind.error("", axis, value))
-          throw kind.error(`${kind.names[axis]} of item ${index}`, axis, value);
+        if (kind.error("", axis, value)) throw this.#errorOf(index, axis, value, usual);
         triples[3 * (index - from) + axis] = value as number;
       });
     }
     return triples;
+  }
+
+  /** The error of a number of an item. */
+  #errorOf(index: number, axis: number, value: unknown, usual: readonly unknown[]) {
+    const { names, error } = this.#kind;
+    const found = error(`${names[axis]} of item ${index}`, axis, value) as ApolloniusError;
+    const isMissing = axis === 0 && value === undefined && usual !== kNothing;
+    const hint = isMissing ? hintOfPlace(this.#list[index]) : "";
+    return hint === "" ? found : new ApolloniusError(found.code, found.message + hint);
   }
 }
 

@@ -15,7 +15,8 @@ export function described(value: unknown): string {
   if (Array.isArray(value)) return `an array of ${value.length}`;
   if (typedArrayKind(value)?.endsWith("Array"))
     return `${typedArrayKind(value)}(${(value as ArrayLike<unknown>).length})`;
-  if (typeof value === "object" && value !== null) return "an object";
+  if (typeof value === "object" && value !== null)
+    return "then" in value ? "a promise, not awaited" : "an object";
   if (typeof value === "function") return "a function";
   return String(value);
 }
@@ -182,15 +183,29 @@ export function checkSiteCount(name: string, count: number): void {
     throw new ApolloniusError("too-large", `${name} holds ${count} sites, expected at most 2^29`);
 }
 
-/** What is a Uint8Array, of whatever realm and wherever in its buffer; throws "bad-length". */
-export function checkedBytes(name: string, bytes: unknown): Uint8Array {
+/**
+ * The bytes of a buffer, or what is a Uint8Array, of whatever realm and wherever in its buffer;
+ * throws "bad-length".
+ */
+export function checkedBytes(name: string, given: unknown): Uint8Array {
+  const bytes = isArrayBuffer(given) ? new Uint8Array(given) : given;
   if (typedArrayKind(bytes) !== "Uint8Array") {
     throw new ApolloniusError(
       "bad-length",
-      `${name} is ${described(bytes)}, expected a Uint8Array`,
+      `${name} is ${described(given)}, expected a Uint8Array or an ArrayBuffer`,
     );
   }
   return checkedArray(name, bytes, "bytes") as Uint8Array;
+}
+
+/** Of whatever realm; false for one that has lost its memory. */
+function isArrayBuffer(given: unknown): given is ArrayBuffer {
+  try {
+    ArrayBuffer.prototype.slice.call(given as ArrayBuffer, 0, 0);
+    return true;
+  } catch {
+    return false;
+  }
 }
 
 export function outOfMemory(): ApolloniusError {

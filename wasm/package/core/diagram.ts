@@ -144,11 +144,11 @@ export class Diagram extends SurfaceDiagram<Plane> {
    * order). The bytes are verified: whoever made them, the result is the
    * exact diagram of their sites. Throws "corrupt-snapshot" (bytes that are no snapshot, are
    * damaged, are not the diagram of their sites, or come from another version), "bad-length" (no
-   * Uint8Array), "bad-option". Cost: O(n); for degenerate input (grids) about that of building.
+   * bytes), "bad-option". Cost: O(n); for degenerate input (grids) about that of building.
    * `trusted` skips the verification, for bytes of your own, and is several times as fast. With
    * other bytes, answers may be wrong and calls may throw "corrupt-snapshot" (docs/SNAPSHOTS.md).
    */
-  static fromBytes(bytes: Uint8Array, options?: SnapshotOptions): Diagram {
+  static fromBytes(bytes: Uint8Array | ArrayBuffer, options?: SnapshotOptions): Diagram {
     checkOptions(options, "trusted");
     const trusted = checkedChoice("options.trusted", options?.trusted, [false, true]);
     const diagram = new Diagram();

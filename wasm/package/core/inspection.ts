@@ -16,6 +16,12 @@ interface Inspected {
   sites(): unknown;
 }
 
+/** A view of one. */
+interface InspectedView {
+  readonly diagram: Inspected;
+  readonly [Symbol.toStringTag]: string;
+}
+
 // A property of the object's own: of nothing else do `assert.deepStrictEqual` and `structuredClone`
 // take notice, for which all diagrams would be {}.
 const kContent: PropertyDescriptor = {
@@ -43,6 +49,17 @@ export function* listed(ask: () => Sites): Generator<ListedSite, void> {
 export function summary(diagram: Inspected, name: string): string {
   const numbers = () => `size: ${diagram.size}, hidden: ${diagram.hiddenSize}`;
   return `${name} { ${unlessEnded(numbers)} }`;
+}
+
+/**
+ * Gives a new view the words in which consoles show it. A property of its own, as bundlers keep a
+ * class whose methods have computed names, whether it is used or not.
+ */
+export function showInWords(view: InspectedView, window = ""): void {
+  const { diagram } = view;
+  const cells = () => `${window}cells: ${diagram.size - diagram.hiddenSize}`;
+  const words = () => `${view[Symbol.toStringTag]} { ${unlessEnded(cells)} }`;
+  Object.defineProperty(view, kInspect, { value: words });
 }
 
 /** What `ask` gives, or "disposed" or "broken". */

@@ -35,9 +35,14 @@ const kMove = 0;
 const kLine = 1;
 const kCurve = 2;
 
-/** Plays commands and their coordinates. */
-export function play(context: PathContext, commands: Uint8Array, xy: Float64Array): void {
-  for (let i = 0, k = 0; i < commands.length; ++i) {
+/** Plays commands and their coordinates, from element `k` of these on; returns where they end. */
+export function play(
+  context: PathContext,
+  commands: Uint8Array,
+  xy: Float64Array,
+  k: number = 0,
+): number {
+  for (let i = 0; i < commands.length; ++i) {
     const command = commands[i];
     if (command === kMove) {
       context.moveTo(xy[k] as number, xy[k + 1] as number);
@@ -59,6 +64,7 @@ export function play(context: PathContext, commands: Uint8Array, xy: Float64Arra
       context.closePath();
     }
   }
+  return k;
 }
 
 /** Throws "out-of-range" unless it is undefined or an integer from 0 to 15. */
@@ -105,6 +111,18 @@ export class PathString implements PathContext {
   }
 }
 
+/** What can be drawn into; throws "bad-option". */
+export function checkedContext<Context extends PathContext>(context: Context): Context {
+  for (const name of ["moveTo", "lineTo", "bezierCurveTo", "closePath"] as const)
+    if (typeof context?.[name] !== "function")
+      throw new ApolloniusError(
+        "bad-option",
+        `context is ${described(context)} without ${name}(): options go behind it, as in ` +
+          "render(null, { digits: 2 })",
+      );
+  return context;
+}
+
 /** Draws into the context if there is one, else returns the path as a string. */
 export function drawn(
   context: PathContext | null | undefined,
@@ -112,16 +130,7 @@ export function drawn(
   draw: (context: PathContext) => void,
 ): string | void {
   checkOptions(options, "tolerance", "digits");
-  if (context !== null && context !== undefined) {
-    for (const name of ["moveTo", "lineTo", "bezierCurveTo", "closePath"] as const)
-      if (typeof context[name] !== "function")
-        throw new ApolloniusError(
-          "bad-option",
-          `context is ${described(context)} without ${name}(): options go behind it, as in ` +
-            "render(null, { digits: 2 })",
-        );
-    return draw(context);
-  }
+  if (context !== null && context !== undefined) return draw(checkedContext(context));
   const text = new PathString(options?.digits);
   draw(text);
   return text.toString();

@@ -1,12 +1,50 @@
-// The paths of all cells at once, which the library writes as text.
-import { checkOptions } from "../core/arguments.js";
+// All cells at once: each as a path of its own in a context, or as text that the library writes.
+import { ApolloniusError } from "../errors.js";
+import { checkOptions, described } from "../core/arguments.js";
 import type { NativeShapes } from "../core/native/module.js";
-import { checkedDigits, type DrawOptions, PathString, play } from "../core/path.js";
+import {
+  checkedContext,
+  checkedDigits,
+  type DrawOptions,
+  type PathContext,
+  PathString,
+  play,
+} from "../core/path.js";
 import { type NativeWindow, toleranceOf } from "./drawing.js";
 
 // Commands in one portion: some 4000 cells, of which the library keeps edges for their neighbours.
 const kPortion = 1 << 15;
 const kMostDigits = 15;
+
+/** Draws cell after cell, each as a new path, and calls `each` with its site once it is there. */
+export function drawCells(
+  context: PathContext & { beginPath?(): void },
+  each: ((id: number) => void) | undefined,
+  native: NativeShapes,
+  windowNow: () => NativeWindow,
+  options: DrawOptions | undefined,
+): void {
+  checkOptions(options, "tolerance", "digits");
+  const tolerance = toleranceOf(options);
+  checkedContext(context);
+  if (typeof each !== "function")
+    throw new ApolloniusError(
+      "bad-option",
+      `each is ${described(each)}, expected a function of an id, which fills the path, say`,
+    );
+  for (let cursor = 0, isDone = false; !isDone; ) {
+    const portion = native.drawCells(...windowNow(), tolerance, cursor, kPortion);
+    const { commands, coordinates, ends } = portion;
+    for (let k = 0, from = 0, xy = 0; k < ends.length; k += 2) {
+      const to = ends[k + 1]!;
+      context.beginPath?.();
+      xy = play(context, commands.subarray(from, to), coordinates, xy);
+      each(ends[k]!);
+      from = to;
+    }
+    ({ cursor, isDone } = portion);
+  }
+}
 
 /** Decimal places for which rounding moves nothing by more than an eighth of the tolerance. */
 function digitsFor(tolerance: number): number {
@@ -33,9 +71,8 @@ export function cellPaths(
   const paths = new Array<string | null>(native.idLimit()).fill(null);
   const decoder = new TextDecoder();
   for (let cursor = 0, isDone = false; !isDone; ) {
-    // `ends`: each site, and where its text ends
     const portion = native.cellPaths(...window, tolerance, digits, cursor, kPortion);
-    const { commands: bytes, coordinates: ends } = portion;
+    const { commands: bytes, ends } = portion;
     if (!portion.isDone && ends.length === 0)
       return oneByOne(native, window, tolerance, digits, paths.fill(null));
     const text = decoder.decode(bytes);

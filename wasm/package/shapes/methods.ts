@@ -119,7 +119,7 @@ export interface DiagramClass extends Pick<typeof Core, "from" | "fromAsync" | "
     options?: BuildOptions,
   ): Promise<Diagram>;
   fromAsync(xyr: ArrayLike<number>, options?: BuildOptions): Promise<Diagram>;
-  fromBytes(bytes: Uint8Array, options?: SnapshotOptions): Diagram;
+  fromBytes(bytes: Uint8Array | ArrayBuffer, options?: SnapshotOptions): Diagram;
 }
 
 const methods = {

@@ -8,6 +8,7 @@ import {
 } from "../core/arguments.js";
 import type { Diagram } from "../core/diagram.js";
 import { type Inner, nativeOf, planarOf, wrongReceiver } from "../core/inner.js";
+import { showInWords } from "../core/inspection.js";
 import { Ballast, destroy, keep } from "../core/native/lifetime.js";
 import {
   type NativeReach,
@@ -20,7 +21,7 @@ import { withSite } from "../core/space.js";
 import { drawn, type DrawOptions, type PathContext, play } from "../core/path.js";
 import type { Bounds, Edges, Position } from "../core/types.js";
 import { ApolloniusError } from "../errors.js";
-import { cellPaths } from "./cell_paths.js";
+import { cellPaths, drawCells } from "./cell_paths.js";
 import { joined, measuresOf, partsOf, type Rings, ringOf } from "./cell_shapes.js";
 import { drawBounds, drawInto, type NativeWindow, toleranceOf } from "./drawing.js";
 import { isWithClearance, narrowestOf } from "./edges.js";
@@ -164,6 +165,7 @@ export class Voronoi implements Disposable {
     this.xmax = xmax;
     this.ymax = ymax;
     this.window = windowOf(bounds, this.#region, () => Voronoi.#living(this));
+    showInWords(this, `window: [${bounds.join(", ")}], `);
     Object.freeze(this); // an object put there would be asked for its value in the middle of a call
   }
 
@@ -228,14 +230,24 @@ export class Voronoi implements Disposable {
   }
 
   /**
-   * The paths of all cells, by id, as `renderCell` gives them: null for ids without a cell in the
-   * window. Where that leaves `digits` open, numbers have as many decimal places as the tolerance
-   * needs, 2 for d3-delaunay's window of 960 x 500: rounding moves nothing by more than an eighth
-   * of it. O(n), several times as fast as a loop.
+   * All cells, drawn one after the other as `renderCell` draws them: `each(id)` fills or strokes
+   * the cell that has just been drawn. Before each cell, `context.beginPath()` is called if there is
+   * one. Or, without a context, the paths of all cells by id: null for ids without a cell in the
+   * window. Where `digits` is left open, the numbers of these have as many decimal places as the
+   * tolerance needs, 2 for d3-delaunay's window of 960 x 500: rounding moves nothing by more than
+   * an eighth of it. O(n), several times as fast as a loop.
    */
-  renderCells(options?: DrawOptions): (string | null)[] {
+  renderCells(context: PathContext, each: (id: number) => void, options?: DrawOptions): void;
+  renderCells(options?: DrawOptions): (string | null)[];
+  renderCells(
+    context?: PathContext | DrawOptions,
+    each?: (id: number) => void,
+    options?: DrawOptions,
+  ): (string | null)[] | void {
     return Voronoi.#clipped(this, undefined, (native, windowNow) =>
-      cellPaths(native, windowNow, options),
+      each !== undefined || isContext(context)
+        ? drawCells(context as PathContext, each, native, windowNow, options)
+        : cellPaths(native, windowNow, context),
     );
   }
 
@@ -791,6 +803,9 @@ export class Voronoi implements Disposable {
     return { isFlat, ...rings };
   }
 }
+
+const isContext = (given: unknown): given is PathContext =>
+  typeof given === "object" && given !== null && "moveTo" in given;
 
 function ringOptions(options: PolygonOptions | undefined) {
   checkOptions(options, "tolerance", "flat");

@@ -5,12 +5,12 @@ import type { NativeRegion, NativeShapes } from "../core/native/module.js";
 import { play } from "../core/path.js";
 import type { Bounds } from "../core/types.js";
 import { pathOfSides } from "./drawing.js";
-import type { VoronoiWindow } from "./types.js";
+import type { VoronoiWindow as Shape } from "./types.js";
 
-type Centroid = VoronoiWindow["centroid"];
+type Centroid = Shape["centroid"];
 
 /** A class, as methods that are properties would keep equal views from being equal to tests. */
-class ViewWindow implements VoronoiWindow {
+class VoronoiWindow implements Shape {
   readonly area: number;
   readonly centroid: Centroid;
   readonly #region: NativeRegion | null;
@@ -48,8 +48,8 @@ export function windowOf(
   bounds: Bounds,
   region: NativeRegion | null,
   livingNow: () => NativeShapes,
-): VoronoiWindow {
-  return new ViewWindow(bounds, region, livingNow);
+): Shape {
+  return new VoronoiWindow(bounds, region, livingNow);
 }
 
 /** Of what is inside of closed rings, the inside on the left of each. */

@@ -140,9 +140,9 @@ export class SphericalDiagram extends SurfaceDiagram<Sphere> {
 
   /**
    * The diagram that `toBytes` saved, with its radius and ids. Throws "corrupt-snapshot",
-   * "bad-length" (no Uint8Array). Cost: that of building.
+   * "bad-length" (no bytes). Cost: that of building.
    */
-  static fromBytes(bytes: Uint8Array): SphericalDiagram {
+  static fromBytes(bytes: Uint8Array | ArrayBuffer): SphericalDiagram {
     const diagram = new SphericalDiagram();
     fillOrDispose(diagram, () => {
       const { native, ballast } = sphericalOf(diagram);

@@ -2,6 +2,7 @@
 import type { CoverageArrays } from "../../../build/wasm/apollonius.mjs";
 import { checkedChoice, checkedCount, checkOptions } from "../core/arguments.js";
 import { type Inner, wrongReceiver } from "../core/inner.js";
+import { showInWords } from "../core/inspection.js";
 import type { NativeSphericalDiagram } from "../core/native/module.js";
 import { withSite } from "../core/space.js";
 import type { Edges, Position } from "../core/types.js";
@@ -73,6 +74,7 @@ export class SphericalVoronoi {
     checkOptions(options, "maxDistance");
     this.#limit = checkedLimit(options);
     this.diagram = diagram;
+    showInWords(this);
     Object.freeze(this);
   }
 
