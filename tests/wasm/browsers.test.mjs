@@ -85,7 +85,12 @@ test("no file has characters that a page or a bundler would not take as they are
 const files = {
   "module.js": `import { Diagram } from "${dist}/esm/index.js"; ${use}`,
   "core.js": `import { Diagram } from "${dist}/esm/core.js"; ${use}`,
-  "global.js": `const { Diagram } = apollonius; ${useOfScript}`,
+  "global.js": `const { Diagram, SphericalDiagram, treemap } = apollonius;
+    const globe = new SphericalDiagram([0, 0, 0, 90, 0, 0]);
+    const tree = { data: {}, value: 1, children: [{ data: {}, value: 1 }] };
+    if (globe.find(80, 0) !== 1 || Math.abs(treemap()(tree).area - 1) > 1e-6)
+      throw new Error("not all entries are there");
+    ${useOfScript}`,
   "wasm.js": `import { Diagram, load } from "${dist}/esm/wasm.js";
     await load({ core: "${dist}/core.wasm" }); ${use}`,
   "ahead.js": `import { Diagram, load } from "${dist}/esm/index.js"; await load(); ${use}`,

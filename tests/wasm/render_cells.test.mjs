@@ -58,7 +58,10 @@ test("null for what has no cell in the window", () => {
 /** A context that writes what it is told. */
 function recorder() {
   let text = "";
-  const points = (letter) => (...xy) => void (text += `${letter}${xy}`);
+  const points =
+    (letter) =>
+    (...xy) =>
+      void (text += `${letter}${xy}`);
   return {
     moveTo: points("M"),
     lineTo: points("L"),

@@ -58,8 +58,8 @@ std::vector<double> interpolate(const Diagram& diagram, const Region* region, co
 
 enum class Drawing : std::uint8_t { kEdges, kSites, kDual, kDualWithRays, kHull };
 
-/// A part of a drawing, and where the next one begins; in `ends` of cells each one's site, and where
-/// its commands end.
+/// A part of a drawing, and where the next one begins; in `ends` of cells each one's site, and
+/// where its commands end.
 struct Portion {
   std::vector<std::uint8_t> commands;
   std::vector<double> coordinates;

@@ -14,7 +14,7 @@
  *   answer, or compiling is forbidden here (a content security policy, an edge runtime)
  * - "disposed": the diagram has been disposed of
  * - "busy": a filter or maxDistance tried to change the diagram that was asking it, or the diagram
- *   has changed while `fitAreas` was under way
+ *   has changed while an asynchronous call was under way
  * - "out-of-memory": memory ran out, or was never enough
  * - "corrupt-snapshot": bytes that are no snapshot of a diagram
  * - "too-large": more than 2^29 sites at once (one by one, memory runs out first)

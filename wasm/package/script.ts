@@ -1,7 +1,7 @@
 // The file for a script tag: the default entry, the sphere and the treemap as the global
 // `apollonius`. Each part of the wasm is decoded and compiled at its first use.
 import * as apollonius from "./embedded.js";
-import { SphericalDiagram } from "./sphere.js";
-import { treemap } from "./treemap.js";
+import * as sphere from "./sphere.js";
+import * as treemap from "./treemap.js";
 
-Object.assign(globalThis, { apollonius: { ...apollonius, SphericalDiagram, treemap } });
+Object.assign(globalThis, { apollonius: { ...sphere, ...treemap, ...apollonius } });

@@ -27,12 +27,10 @@ export default function grow(container) {
   const draw = () => {
     const cells = diagram.voronoi([0, 0, width, height], { maxDistance: Number(slider.value) });
     context.clearRect(0, 0, width, height);
-    for (const id of diagram.ids()) {
+    cells.renderCells(context, (id) => {
       context.fillStyle = ["#a0cbe8", "#ffbe7d", "#8cd17d", "#d4a6c8"][id % 4];
-      context.beginPath();
-      cells.renderCell(id, context);
       context.fill();
-    }
+    });
     context.lineWidth = 1;
     context.strokeStyle = "#333";
     context.beginPath();

@@ -59,10 +59,8 @@ export default async function relaxation(container) {
   const draw = () => {
     context.clearRect(0, 0, width, height);
     context.strokeStyle = "#fff";
-    places.forEach((_, id) => {
+    cells.renderCells(context, (id) => {
       context.fillStyle = targets[id] > 1 ? "#f28e2b" : "#4e79a7";
-      context.beginPath();
-      cells.renderCell(id, context);
       context.fill();
       context.stroke();
     });

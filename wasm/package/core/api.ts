@@ -8,6 +8,7 @@ export { Diagram } from "./diagram.js";
 export type { DrawOptions, PathContext } from "./path.js";
 export type { Triangulation } from "./triangulation.js";
 export type {
+  AsyncOptions,
   Bounds,
   BuildOptions,
   Edges,

@@ -6,7 +6,7 @@ import { described } from "./arguments.js";
 import type { DynamicDiagram } from "./dynamic_diagram.js";
 import { innerOf } from "./inner.js";
 import type { Builder, NativeDiagram } from "./native/module.js";
-import type { BuildOptions } from "./types.js";
+import type { AsyncOptions } from "./types.js";
 
 const kSlice = 8; // milliseconds
 const kItems = 256; // read, or inserted, between two looks at the clock
@@ -36,7 +36,7 @@ export class Slices {
   readonly #onProgress: ((done: number) => void) | undefined;
   #start = performance.now();
 
-  constructor({ signal, onProgress }: BuildOptions) {
+  constructor({ signal, onProgress }: AsyncOptions) {
     if (signal !== undefined && typeof signal?.aborted !== "boolean")
       throw badOption("signal", signal, "an AbortSignal");
     if (onProgress !== undefined && typeof onProgress !== "function")
@@ -74,7 +74,7 @@ function badOption(name: string, value: unknown, expected: string): ApolloniusEr
 export async function buildOrDispose(
   diagram: DynamicDiagram<unknown>,
   items: Reader,
-  options: BuildOptions,
+  options: AsyncOptions,
 ): Promise<void> {
   try {
     const { native, ballast } = innerOf(diagram);
@@ -86,7 +86,7 @@ export async function buildOrDispose(
   }
 }
 
-async function build(native: NativeDiagram, items: Reader, options: BuildOptions): Promise<void> {
+async function build(native: NativeDiagram, items: Reader, options: AsyncOptions): Promise<void> {
   const slices = new Slices(options);
   const builder = native.builder(items.count) as Builder;
   try {

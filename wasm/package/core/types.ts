@@ -77,9 +77,9 @@ export interface UpdateOptions {
   r?: number | "keep" | undefined;
 }
 
-/** Options of `Diagram.fromAsync`. */
-export interface BuildOptions extends RadiusOption {
-  /** Ends the building when it aborts; the promise is rejected with its reason. */
+/** Options of calls that work in slices. */
+export interface AsyncOptions {
+  /** Ends the work when it aborts; the promise is rejected with its reason. */
   signal?: AbortSignal | undefined;
   /**
    * Called after each slice with the share that is done, from 0 to 1; the last call gets 1. It may
@@ -87,6 +87,9 @@ export interface BuildOptions extends RadiusOption {
    */
   onProgress?: ((done: number) => void) | undefined;
 }
+
+/** Options of `Diagram.fromAsync`. */
+export interface BuildOptions extends RadiusOption, AsyncOptions {}
 
 /** Options of `Diagram.fromBytes`. */
 export interface SnapshotOptions {

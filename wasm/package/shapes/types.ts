@@ -1,6 +1,6 @@
 // What the calls of Voronoi take and return.
 import type { DrawOptions } from "../core/path.js";
-import type { Bounds, Edges, Position, Vertices } from "../core/types.js";
+import type { AsyncOptions, Bounds, Edges, Position, Vertices } from "../core/types.js";
 
 // --- Fits, windows, questions --------------------------------------------------------------------
 
@@ -160,15 +160,7 @@ export interface InterpolationOptions {
 }
 
 /** Options of `interpolateAsync`. */
-export interface AsyncInterpolationOptions extends InterpolationOptions {
-  /** Ends the interpolation when it aborts; the promise is rejected with its reason. */
-  signal?: AbortSignal | undefined;
-  /**
-   * Called after each slice with the share that is done, from 0 to 1; the last call gets 1. It may
-   * throw.
-   */
-  onProgress?: ((done: number) => void) | undefined;
-}
+export interface AsyncInterpolationOptions extends InterpolationOptions, AsyncOptions {}
 
 /** Options of `fitAreas`. */
 export interface FitOptions {
@@ -194,9 +186,7 @@ export interface FitOptions {
 }
 
 /** Options of `fitAreasAsync`. */
-export interface AsyncFitOptions extends FitOptions {
-  /** Ends the search when it aborts; the promise is rejected with its reason. */
-  signal?: AbortSignal | undefined;
+export interface AsyncFitOptions extends FitOptions, AsyncOptions {
   /**
    * Called after each slice with the share that is done, from 0 to 1, which never falls: how far
    * the least `error` so far has come from the first one to the tolerance, by orders of magnitude.

@@ -35,6 +35,7 @@ export type {
 } from "../shapes/types.js";
 export type { Accessor, Items } from "../core/accessors.js";
 export type {
+  AsyncOptions,
   Edges,
   FilterOptions,
   FindOptions,

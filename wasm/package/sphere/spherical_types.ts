@@ -1,6 +1,6 @@
 // The types of apollonius-diagram/sphere that users see.
-import type { BuildOptions, Edges, Position, RadiusOption } from "../core/types.js";
-import type { CellGeometry } from "../shapes/geojson.js";
+import type { AsyncOptions, Edges, Position, RadiusOption } from "../core/types.js";
+import type { CellGeometry, Winding } from "../shapes/geojson.js";
 
 /** A site of the sphere: its centre in degrees, its weight in the unit of the radius. */
 export interface SphericalSite {
@@ -89,9 +89,7 @@ export interface SphericalOptions extends RadiusOption {
 }
 
 /** Options of `SphericalDiagram.fromAsync`. */
-export interface SphericalBuildOptions
-  extends SphericalOptions,
-    Pick<BuildOptions, "signal" | "onProgress"> {}
+export interface SphericalBuildOptions extends SphericalOptions, AsyncOptions {}
 
 /** What `SphericalDiagram.from` reads without accessors; of GeoJSON, points. */
 export type Spherical =
@@ -118,7 +116,7 @@ export interface SphericalPolygonOptions {
    * How a ring runs, as seen from outside: "counter-clockwise" (default), or "clockwise", as d3-geo
    * has it.
    */
-  winding?: "counter-clockwise" | "clockwise" | undefined;
+  winding?: Winding | undefined;
 }
 
 /** Options of `SphericalVoronoi.cellGeometry`. */

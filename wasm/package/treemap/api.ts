@@ -3,7 +3,7 @@ export { treemap } from "./layout.js";
 export type {
   Disc,
   Treemap,
-  TreemapAsyncOptions,
+  AsyncTreemapOptions,
   TreemapCell,
   TreemapFit,
   TreemapNode,
@@ -14,4 +14,4 @@ export type {
 export type { DrawOptions, PathContext } from "../core/path.js";
 export type { GeoJSONRegion, Region, Ring } from "../shapes/region.js";
 export type { CellCircle, CellCircleOptions } from "../shapes/types.js";
-export type { Bounds, Position, Site } from "../core/types.js";
+export type { AsyncOptions, Bounds, Position, Site } from "../core/types.js";

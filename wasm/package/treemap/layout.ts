@@ -20,7 +20,7 @@ import { joined } from "./rings.js";
 import { checkedPadding, type Input, nodesOf, type Settings, valuesOf } from "./settings.js";
 import type {
   Treemap,
-  TreemapAsyncOptions,
+  AsyncTreemapOptions,
   TreemapCell,
   TreemapNode,
   TreemapOptions,
@@ -68,7 +68,7 @@ function layOutAtOnce(root: Input, settings: Settings, options: TreemapOptions |
 async function layOutInSlices(
   root: Input,
   settings: Settings,
-  options: TreemapAsyncOptions | undefined,
+  options: AsyncTreemapOptions | undefined,
 ): Promise<void> {
   checkOptions(options, "previous", "signal", "onProgress");
   const slices = new Slices(options ?? {});
@@ -205,7 +205,7 @@ export function treemap<
     const { bounds } = settings.shape;
     return bounds && bounds[0] === 0 && bounds[1] === 0 ? bounds.slice(2) : null;
   };
-  const inSlices = async (root: Input, options?: TreemapAsyncOptions) => {
+  const inSlices = async (root: Input, options?: AsyncTreemapOptions) => {
     await layOutInSlices(root, { ...settings }, options);
     return root;
   };

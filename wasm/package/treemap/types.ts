@@ -1,6 +1,6 @@
 // What the entry `apollonius-diagram/treemap` takes and gives.
 import type { DrawOptions, PathContext } from "../core/path.js";
-import type { Bounds, Position, Site } from "../core/types.js";
+import type { AsyncOptions, Bounds, Position, Site } from "../core/types.js";
 import type { Disc, Region } from "../shapes/region.js";
 import type { CellCircle, CellCircleOptions } from "../shapes/types.js";
 
@@ -116,15 +116,9 @@ export interface TreemapOptions<Node = TreemapNode> {
 }
 
 /** Options of a layout in slices. */
-export interface TreemapAsyncOptions<Node = TreemapNode> extends TreemapOptions<Node> {
-  /** Ends the layout when it aborts; the promise is rejected with its reason. */
-  signal?: AbortSignal | undefined;
-  /**
-   * Called after each slice with the share that is done, from 0 to 1; the last call gets 1. It may
-   * throw.
-   */
-  onProgress?: ((done: number) => void) | undefined;
-}
+export interface AsyncTreemapOptions<Node = TreemapNode>
+  extends TreemapOptions<Node>,
+    AsyncOptions {}
 
 /**
  * A layout for trees of d3-hierarchy, or plain ones, in the manner of d3: call it with a root. Each
@@ -156,7 +150,7 @@ export interface Treemap<Datum = unknown, Node extends TreemapNode<Datum> = Tree
    */
   async<Root extends Node>(
     root: Root,
-    options?: TreemapAsyncOptions<Node>,
+    options?: AsyncTreemapOptions<Node>,
   ): Promise<WithCells<Root>>;
 
   /**
