@@ -129,9 +129,10 @@ void DelaunayGraph::computeMissingCircles() const {
   mayMissCircles_ = false;
 }
 
-bool DelaunayGraph::prove() {
-  std::uint32_t where = 0;
-  isProven_ = graph_.isEmpty() || findContradiction(*this, circles_, where) == nullptr;
+Proof DelaunayGraph::beginProof() { return {*this, circles_}; }
+
+bool DelaunayGraph::endProof(const Proof& proof) {
+  isProven_ = proof.contradiction() == nullptr;
   mayMissCircles_ = !isProven_;
   return isProven_;
 }

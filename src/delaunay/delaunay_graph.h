@@ -26,6 +26,8 @@ namespace apollonius::internal {
 /// procedure NearestNeighbor), or only in the direction of the point.
 enum class Walk : unsigned char { kAllNeighbors, kSectors };
 
+class Proof;
+
 class DelaunayGraph {
  public:
   // --- Reading
@@ -142,12 +144,15 @@ class DelaunayGraph {
   void clear() noexcept;
 
   /// Snapshots (snapshot.cpp): everything but the sites, which are set before
-  /// restore(). That fails if what is read is no surface, and the graph is then unusable; prove()
+  /// restore(). That fails if what is read is no surface, and the graph is then unusable; a proof
   /// says whether it is the diagram of the sites.
   void save(WordWriter& out, std::size_t vertexSlots) const;
   [[nodiscard]] bool restore(WordReader& in, std::size_t faceSlots);
-  /// Is it the Delaunay graph of its sites (proof.h)? Computes the circles of all faces.
-  [[nodiscard]] bool prove();
+  /// The proof that it is the Delaunay graph of its sites (proof.h), which computes the circles of
+  /// all faces. Nothing else may be done until it has ended. Throws std::bad_alloc.
+  [[nodiscard]] Proof beginProof();
+  /// Is it proved?
+  [[nodiscard]] bool endProof(const Proof& proof);
 
   // A restored graph that has not been proved may be anything on a closed surface. Walks end and
   // stay in the arrays there; what would not is demanded before an operation commits.

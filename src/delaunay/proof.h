@@ -2,19 +2,18 @@
 // strangers, and for validate().
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include "base/flat_array.h"
 #include "predicate/voronoi_circle.h"
+#include "topology/graph.h"
 
 namespace apollonius::internal {
 
 class DelaunayGraph;
 
-/// What contradicts it, with `where` receiving an id that it names; or nullptr, and then it is
-/// proved. `circles` becomes the circles of the faces; what the diagram keeps of them is not looked
-/// at. REQUIRES: a closed surface with infinity on it, and at least two sites. Throws
-/// std::bad_alloc.
+/// The proof, in steps.
 ///
 /// The conditions, all of them of one face, one edge, or the hull:
 ///   1. in a face no site covers another, and its Voronoi circle exists in that orientation;
@@ -23,6 +22,44 @@ class DelaunayGraph;
 ///   3. around infinity the normals of the half-planes make one turn.
 /// That they suffice: docs/PROOFS.md, "Delaunay graph". That the surface is connected, and a
 /// sphere, follows.
+class Proof {
+ public:
+  /// `circles` becomes the circles of the faces; what the diagram keeps of them is not looked at.
+  /// REQUIRES: a closed surface with infinity on it, and at least two sites; or an empty graph.
+  /// Throws std::bad_alloc.
+  Proof(const DelaunayGraph& delaunay, FlatArray<VoronoiCircle>& circles);
+
+  /// Looks at this many more faces or edges; was that all, or does something contradict?
+  bool advance(std::size_t most);
+  /// What contradicts, with an id that it names; nullptr as long as nothing does.
+  [[nodiscard]] const char* contradiction() const { return what_; }
+  [[nodiscard]] std::uint32_t where() const { return where_; }
+  /// Of all that there is to look at, 0 to 1.
+  [[nodiscard]] double progress() const;
+
+ private:
+  enum class Step : std::uint8_t { kFaces, kEdges, kHull };
+
+  void fail(const char* what, HalfedgeId h);
+  void lookAtFaces(std::uint32_t end);
+  void lookAtFace(FaceId f);
+  void lookAtEdges(std::uint32_t end);
+  [[nodiscard]] bool hullTurnsOnce() const;
+  [[nodiscard]] const VoronoiCircle& circle(HalfedgeId h) const {
+    return circles_[index(faceOf(h))];
+  }
+
+  const DelaunayGraph& delaunay_;
+  const Graph& graph_;
+  FlatArray<VoronoiCircle>& circles_;
+  Step step_ = Step::kFaces;
+  std::uint32_t next_ = 0;  // face or half-edge
+  const char* what_ = nullptr;
+  std::uint32_t where_ = 0;
+};
+
+/// The whole proof: what contradicts, with `where` receiving an id that it names; or nullptr, and
+/// then it is proved.
 [[nodiscard]] const char* findContradiction(const DelaunayGraph& delaunay,
                                             FlatArray<VoronoiCircle>& circles,
                                             std::uint32_t& where);

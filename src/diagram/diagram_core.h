@@ -102,6 +102,7 @@ class DiagramCore {
 
  private:
   friend class DiagramBreaker;  // tests break a structure on purpose
+  friend class Restoring;       // fills a new diagram
 
   /// Room for everything that is kept per site, for this many slots.
   void reserve(std::size_t slots);

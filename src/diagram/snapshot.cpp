@@ -14,6 +14,7 @@
 #include "base/byte_stream.h"
 #include "base/flat_array.h"
 #include "diagram/diagram_core.h"
+#include "diagram/restoring.h"
 #include "predicate/predicates.h"
 
 namespace apollonius::internal {
@@ -24,11 +25,7 @@ constexpr std::uint64_t kMagic =
     0x0A1A0A0D6C6F7041u;  // "Apol", and line ends that a transfer as text would spoil
 constexpr std::uint32_t kVersion = 2;
 
-// In the order of the file, after the magic number.
-struct Header {
-  std::uint32_t version, slots, idLimit, sites, hidden, faceSlots;
-};
-constexpr std::size_t kHeaderWords = 8;
+constexpr std::size_t kHeaderWords = 8;  // with the magic number
 constexpr std::size_t kChecksumWords = 2;
 
 /// Words of all but the checksum and what makes them even.
@@ -88,35 +85,75 @@ void DiagramCore::saveHidden(WordWriter& out) const {
 }
 
 bool DiagramCore::restore(std::span<const std::uint8_t> bytes, Source source) {
-  if (bytes.size() < 4 * (kHeaderWords + kChecksumWords) || bytes.size() % 8 != 0) return false;
-  const std::span<const std::uint8_t> content = bytes.first(bytes.size() - 4 * kChecksumWords);
-  WordReader in(content);
-  if (in.longWord() != kMagic ||
-      checksumOf(content) != WordReader(bytes.last(4 * kChecksumWords)).longWord())
-    return false;
-  Header header{};
-  for (std::uint32_t* count : {&header.version, &header.slots, &header.idLimit, &header.sites,
-                               &header.hidden, &header.faceSlots}) {
-    *count = in.word();
+  return Restoring(*this, bytes, source).finish() == Restoring::State::kDone;
+}
+
+Restoring::Restoring(DiagramCore& diagram, std::span<const std::uint8_t> bytes, Source source)
+    : diagram_(diagram), bytes_(bytes), source_(source), in_(bytes) {}
+
+Restoring::State Restoring::advance(std::size_t most) {
+  bool isRight = true;
+  switch (step_) {
+    case Step::kSites:
+      isRight = readSites();
+      step_ = Step::kGraph;
+      break;
+    case Step::kGraph:
+      isRight = readGraph();
+      step_ = Step::kHidden;
+      break;
+    case Step::kHidden:
+      isRight = readHidden();
+      if (isRight && source_ == Source::kTrusted) return State::kDone;
+      step_ = Step::kProof;
+      break;
+    case Step::kProof:
+      if (!proof_) proof_.emplace(diagram_.delaunay_.beginProof());
+      if (!proof_->advance(most)) break;
+      return diagram_.delaunay_.endProof(*proof_) ? State::kDone : State::kCorrupt;
   }
-  const std::uint64_t slots = header.slots, idLimit = header.idLimit, sites = header.sites;
-  if (header.version != kVersion || slots > kMostSites || idLimit > kMostSites || sites > slots ||
+  return isRight ? State::kUnderWay : State::kCorrupt;
+}
+
+double Restoring::progress() const {
+  if (source_ == Source::kTrusted) return 0.33 * static_cast<int>(step_);
+  return proof_ ? 0.15 + 0.85 * proof_->progress() : 0.05 * static_cast<int>(step_);
+}
+
+bool Restoring::readSites() {
+  if (bytes_.size() < 4 * (kHeaderWords + kChecksumWords) || bytes_.size() % 8 != 0) return false;
+  const std::span<const std::uint8_t> content = bytes_.first(bytes_.size() - 4 * kChecksumWords);
+  if (in_.longWord() != kMagic ||
+      checksumOf(content) != WordReader(bytes_.last(4 * kChecksumWords)).longWord())
+    return false;
+  for (std::uint32_t* count : {&header_.version, &header_.slots, &header_.idLimit, &header_.sites,
+                               &header_.hidden, &header_.faceSlots}) {
+    *count = in_.word();
+  }
+  const std::uint64_t slots = header_.slots, idLimit = header_.idLimit, sites = header_.sites;
+  if (header_.version != kVersion || slots > kMostSites || idLimit > kMostSites || sites > slots ||
       sites > idLimit)
     return false;
-  if (header.hidden > sites || header.faceSlots >= kNoIndex / 3) return false;
-  const std::uint64_t words = wordsFor(slots, idLimit, sites, header.hidden, header.faceSlots);
+  if (header_.hidden > sites || header_.faceSlots >= kNoIndex / 3) return false;
+  const std::uint64_t words = wordsFor(slots, idLimit, sites, header_.hidden, header_.faceSlots);
   if (4 * (words + words % 2) != content.size())
     return false;  // so what is made room for below is in the bytes
-  reserve(header.slots);
+  diagram_.reserve(header_.slots);
   for (Slot slot = 0; slot < slots; ++slot) {
-    const double x = in.number(), y = in.number(), r = in.number();
+    const double x = in_.number(), y = in_.number(), r = in_.number();
     if (!isInRange(x) || !isInRange(y) || !isInRange(r)) return false;
-    delaunay_.setSite(vertexOf(slot), normalized({x, y, r}));
+    diagram_.delaunay_.setSite(vertexOf(slot), normalized({x, y, r}));
   }
-  return ids_.restore(in, header.slots, header.idLimit, header.sites) &&
-         delaunay_.restore(in, header.faceSlots) && restoreStates() &&
-         restoreHidden(in, header.hidden) && (words % 2 == 0 || in.word() == 0) &&
-         (source == Source::kTrusted || delaunay_.prove());
+  return diagram_.ids_.restore(in_, header_.slots, header_.idLimit, header_.sites);
+}
+
+bool Restoring::readGraph() { return diagram_.delaunay_.restore(in_, header_.faceSlots); }
+
+bool Restoring::readHidden() {
+  if (!diagram_.restoreStates() || !diagram_.restoreHidden(in_, header_.hidden)) return false;
+  const std::uint64_t words =
+      wordsFor(header_.slots, header_.idLimit, header_.sites, header_.hidden, header_.faceSlots);
+  return words % 2 == 0 || in_.word() == 0;
 }
 
 /// What is in the graph is visible. False if it is a free slot.

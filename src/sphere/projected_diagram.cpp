@@ -93,30 +93,14 @@ double ProjectedDiagram::Filling::progress() const {
   return 1;
 }
 
-bool ProjectedDiagram::restore(const SiteTable& sites, SiteId pole,
-                               std::span<const HiddenSite> hidden) {
-  FlatArray<bool> isPlaced(sites.idLimit(), true);
+bool ProjectedDiagram::enterHidden(const FlatArray<Cap>& caps, std::span<const HiddenSite> hidden) {
+  const SiteId pole = pole_;
+  reserve(caps.size(), hidden.size());
+  FlatArray<bool> isEntered(caps.size(), true);
+  for (const HiddenSite& pair : hidden) isEntered[pair.site] = false;
   for (const HiddenSite& pair : hidden) {
-    if (!sites.has(pair.site) || !sites.has(pair.cover) || !isPlaced[pair.site]) return false;
-    isPlaced[pair.site] = false;
-  }
-  if (!isPlaced[pole]) return false;
-  FlatArray<SiteId> visible;
-  visible.reserve(sites.size());
-  for (SiteId id = 0; id < sites.idLimit(); ++id) {
-    if (sites.has(id) && id != pole && isPlaced[id]) visible.push_back(id);
-  }
-  const FlatArray<Cap> caps = sites.caps();
-  const std::size_t expected = visible.size() + 1;
-  *this = ProjectedDiagram(caps[pole], pole);
-  Filling filling(*this, sites, caps, std::move(visible));
-  while (!filling.advance(BulkInsertion::kAllAtOnce)) {
-  }
-  if (visibleCount() != expected) return false;
-  reserve(sites.idLimit(), hidden.size());
-  for (const HiddenSite& pair : hidden) {
-    if (!isPlaced[pair.cover] || !enterBelow(pair, caps[pair.site])) return false;
-    isPlaced[pair.site] = true;
+    if (!isEntered[pair.cover] || !enterBelow(pair, caps[pair.site])) return false;
+    isEntered[pair.site] = true;
   }
   return pole_ == pole;
 }

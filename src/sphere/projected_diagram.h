@@ -39,11 +39,10 @@ class ProjectedDiagram {
         projection_(poleCap),
         plane_(Location::kHierarchy, Naming::kGiven) {}
 
-  /// Becomes the diagram of all sites of the table, seen from `pole`, in which these and no others
-  /// are hidden, as hidden() has listed them. False, and unusable, if there is no such one. Throws
-  /// std::bad_alloc. REQUIRES: without sites; the pole is in the table.
-  [[nodiscard]] bool restore(const SiteTable& sites, SiteId pole,
-                             std::span<const HiddenSite> hidden);
+  /// Enters hidden sites, as hidden() has listed them; `caps` are those of all sites by id. False,
+  /// and unusable, if they cannot hang there. Throws std::bad_alloc. REQUIRES: all visible sites
+  /// have been entered; each hidden site is listed once.
+  [[nodiscard]] bool enterHidden(const FlatArray<Cap>& caps, std::span<const HiddenSite> hidden);
 
   // --- Reading. Sites are those of the table, nodes are vertices of the plane's graph.
 

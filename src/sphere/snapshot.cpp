@@ -6,8 +6,10 @@
 #include <limits>
 #include <new>
 #include <numbers>
+#include <utility>
 
 #include "base/byte_stream.h"
+#include "sphere/restoring.h"
 #include "sphere/spherical_core.h"
 
 namespace apollonius::internal::sphere {
@@ -63,8 +65,31 @@ void SphericalCore::save(std::vector<std::uint8_t>& bytes) const {
 }
 
 bool SphericalCore::restore(std::span<const std::uint8_t> bytes) {
-  if (bytes.size() < kHeaderBytes + kChecksumBytes) return false;
-  WordReader in(bytes);
+  return Restoring(*this, bytes).finish() == Restoring::State::kDone;
+}
+
+Restoring::State Restoring::advance(std::size_t steps) {
+  bool isRight = true;
+  switch (step_) {
+    case Step::kRead:
+      isRight = read();
+      if (isRight && !filling_) return State::kDone;  // no site
+      step_ = Step::kFill;
+      break;
+    case Step::kFill:
+      if (filling_->advance(steps)) step_ = Step::kHide;
+      break;
+    case Step::kHide:
+      return hide() ? State::kDone : State::kCorrupt;
+  }
+  return isRight ? State::kUnderWay : State::kCorrupt;
+}
+
+double Restoring::progress() const { return filling_ ? 0.1 + 0.85 * filling_->progress() : 0; }
+
+bool Restoring::read() {
+  if (bytes_.size() < kHeaderBytes + kChecksumBytes) return false;
+  WordReader in(bytes_);
   if (in.longWord() != kMagic || in.word() != kVersion) return false;
   const std::uint32_t idLimit = in.word(), size = in.word();
   const SiteId pole = in.word();
@@ -72,11 +97,11 @@ bool SphericalCore::restore(std::span<const std::uint8_t> bytes) {
   const std::uint64_t seed = in.longWord();
   const double radius = in.number();
   if (size > idLimit || idLimit > kMostSites ||
-      bytes.size() != bytesFor(idLimit, size, hiddenCount) || sizeAtChoice > kMostSites ||
+      bytes_.size() != bytesFor(idLimit, size, hiddenCount) || sizeAtChoice > kMostSites ||
       !(radius > 0) || !isInRange(radius))
     return false;
-  const auto content = bytes.first(bytes.size() - kChecksumBytes);
-  if (WordReader(bytes.last(kChecksumBytes)).longWord() != checksumOf(content)) return false;
+  const auto content = bytes_.first(bytes_.size() - kChecksumBytes);
+  if (WordReader(bytes_.last(kChecksumBytes)).longWord() != checksumOf(content)) return false;
 
   FlatArray<SphericalSite> rows;
   rows.reserve(size);
@@ -85,9 +110,10 @@ bool SphericalCore::restore(std::span<const std::uint8_t> bytes) {
     if (!isSite({{lon, lat}, r}, radius)) return false;
     rows.push_back({{lon, lat}, r});
   }
-  sites_ = SiteTable(radius);
-  sites_.reserve(idLimit);
-  for (SiteId id = 0; id < idLimit; ++id) (void)sites_.take({});
+  SiteTable& sites = diagram_.sites_;
+  sites = SiteTable(radius);
+  sites.reserve(idLimit);
+  for (SiteId id = 0; id < idLimit; ++id) (void)sites.take({});
   FlatArray<bool> isListed(idLimit, false);
   FlatArray<SiteId> ids;
   ids.reserve(idLimit);
@@ -98,23 +124,45 @@ bool SphericalCore::restore(std::span<const std::uint8_t> bytes) {
     isListed[id] = true;
     ids.push_back(id);
   }
-  for (std::uint32_t k = 0; k < size; ++k) sites_.set(ids[k], rows[k]);
+  for (std::uint32_t k = 0; k < size; ++k) sites.set(ids[k], rows[k]);
   // The one that is used first is freed last.
-  for (std::uint32_t k = idLimit; k-- > size;) sites_.release(ids[k]);
-  FlatArray<HiddenSite> hidden(hiddenCount);
-  for (HiddenSite& pair : hidden) {
+  for (std::uint32_t k = idLimit; k-- > size;) sites.release(ids[k]);
+  hidden_.resize(hiddenCount);
+  for (HiddenSite& pair : hidden_) {
     pair.site = in.word();
     pair.cover = in.word();
   }
-  if (size == 0) {
-    if (pole != kNoSite || hiddenCount > 0) return false;
-  } else if (!sites_.has(pole) ||
-             !projected_.restore(sites_, pole, {hidden.data(), hidden.size()})) {
-    return false;
+  diagram_.sizeAtChoice_ = sizeAtChoice;
+  diagram_.seed_ = seed;
+  if (size == 0) return pole == kNoSite && hiddenCount == 0;
+  return sites.has(pole) && beginToFill(pole);
+}
+
+/// The visible sites, seen from the pole.
+bool Restoring::beginToFill(SiteId pole) {
+  const SiteTable& sites = diagram_.sites_;
+  FlatArray<bool> isVisible(sites.idLimit(), true);
+  for (const HiddenSite& pair : hidden_) {
+    if (!sites.has(pair.site) || !sites.has(pair.cover) || !isVisible[pair.site]) return false;
+    isVisible[pair.site] = false;
   }
-  sizeAtChoice_ = sizeAtChoice;
-  seed_ = seed;
+  if (!isVisible[pole]) return false;
+  FlatArray<SiteId> others;
+  others.reserve(sites.size());
+  for (SiteId id = 0; id < sites.idLimit(); ++id) {
+    if (sites.has(id) && id != pole && isVisible[id]) others.push_back(id);
+  }
+  caps_ = sites.caps();
+  diagram_.projected_ = ProjectedDiagram(caps_[pole], pole);
+  filling_.emplace(diagram_.projected_, sites, caps_, std::move(others));
   return true;
+}
+
+bool Restoring::hide() {
+  filling_.reset();
+  ProjectedDiagram& projected = diagram_.projected_;
+  return projected.visibleCount() == diagram_.sites_.size() - hidden_.size() &&
+         projected.enterHidden(caps_, {hidden_.data(), hidden_.size()});
 }
 
 }  // namespace apollonius::internal::sphere

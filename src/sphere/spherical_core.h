@@ -49,6 +49,8 @@ class SphericalCore {
   [[nodiscard]] Violation validate() const;
 
  private:
+  friend class Restoring;  // fills a new diagram
+
   /// Projects all sites of the table from a pole that is chosen now.
   void project();
   void take(Projecting& finished) noexcept;

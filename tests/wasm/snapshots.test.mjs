@@ -13,6 +13,7 @@ import { packed } from "./support/install_packed.mjs";
 import { runInNode } from "./support/node.mjs";
 import { randomCircles } from "./support/random.mjs";
 import { expectRefusal } from "./support/refusal.mjs";
+import { signed } from "./support/signed.mjs";
 
 const recorded = new Uint8Array(readFileSync(path.join(root, "tests/data/snapshots/version2.bin")));
 
@@ -152,20 +153,6 @@ test("every flipped byte is noticed", () => {
     }
   }
 });
-
-/** The checksum of docs/SNAPSHOTS.md, put where it belongs. */
-function signed(bytes) {
-  const words = new DataView(bytes.buffer, bytes.byteOffset, bytes.length);
-  const add = (sum, word) => {
-    const product = BigInt.asUintN(64, (sum ^ word) * 0x9e3779b97f4a7c15n);
-    return product ^ (product >> 29n);
-  };
-  const sums = [0n, 0n];
-  for (let at = 0; at < bytes.length - 8; at += 8)
-    sums[(at / 8) % 2] = add(sums[(at / 8) % 2], words.getBigUint64(at, true));
-  words.setBigUint64(bytes.length - 8, add(...sums), true);
-  return bytes;
-}
 
 const originals = [
   recorded,
