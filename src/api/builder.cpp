@@ -1,17 +1,35 @@
-#include "apollonius/builder.h"
+#include "api/builder.h"
 
-#include <algorithm>
 #include <vector>
 
-#include "api/checks.h"
 #include "diagram/bulk_insertion.h"
 
 namespace apollonius {
 
 using namespace internal;
 
+template <>
 struct Builder::Work {
-  explicit Work(DiagramCore& diagram) : core(diagram), insertion(diagram) {}
+  explicit Work(Diagram& diagram) : core(*diagram.core_), insertion(core) { diagram.change(); }
+
+  [[nodiscard]] std::size_t size() const { return xyr.size() / 3 + ids.size(); }
+  void reserve(std::size_t count) { xyr.reserve(3 * count); }
+  void add(std::span<const double> sites) { xyr.insert(xyr.end(), sites.begin(), sites.end()); }
+
+  [[nodiscard]] bool advance(std::size_t steps) {
+    if (isStaged) {
+      const bool isDone = insertion.insert(ids, steps);
+      if (isDone) ids.clear();
+      return isDone;
+    }
+    isStaged = insertion.stage(xyr, BulkInsertion::visits(steps, BulkInsertion::kStageVisits));
+    if (isStaged) {
+      ids.resize(xyr.size() / 3);
+      std::vector<double>().swap(xyr);
+    }
+    return false;
+  }
+  [[nodiscard]] double progress() const { return insertion.progress(); }
 
   DiagramCore& core;
   std::vector<double> xyr;
@@ -21,43 +39,6 @@ struct Builder::Work {
   BulkInsertion insertion;     // last: it is undone while the ids are there
 };
 
-Builder::Builder(Diagram& diagram) : work_(std::make_unique<Work>(*diagram.core_)) {
-  diagram.change();
-}
-Builder::~Builder() = default;
-Builder::Builder(Builder&&) noexcept = default;
-
-Error Builder::reserve(std::size_t count) {
-  if (count > kMostSites) return Error::kTooLarge;
-  return guarded(work_->core, [&] { work_->xyr.reserve(3 * count); });
-}
-
-Error Builder::add(std::span<const double> xyr) {
-  if (xyr.size() % 3 != 0) return Error::kBadLength;
-  if (const Error error = checkNumbers(xyr); error != Error::kNone) return error;
-  std::vector<double>& all = work_->xyr;
-  if ((all.size() + xyr.size()) / 3 > kMostSites) return Error::kTooLarge;
-  return guarded(work_->core, [&] { all.insert(all.end(), xyr.begin(), xyr.end()); });
-}
-
-Error Builder::advance(std::size_t steps, bool& isDone) {
-  Work& work = *work_;
-  isDone = work.error == Error::kNone && work.xyr.empty() && work.ids.empty();
-  if (isDone || work.error != Error::kNone) return work.error;
-  work.error = guarded(work.core, [&] {
-    if (work.isStaged) {
-      isDone = work.insertion.insert(work.ids, steps);
-      if (isDone) work.ids.clear();
-    } else if (work.insertion.stage(work.xyr,
-                                    BulkInsertion::visits(steps, BulkInsertion::kStageVisits))) {
-      work.isStaged = true;
-      work.ids.resize(work.xyr.size() / 3);
-      std::vector<double>().swap(work.xyr);
-    }
-  });
-  return work.error;
-}
-
-double Builder::progress() const noexcept { return work_->insertion.progress(); }
+template class BuilderOf<Diagram>;
 
 }  // namespace apollonius

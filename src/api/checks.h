@@ -2,8 +2,7 @@
 // translates lack of memory into an error.
 #pragma once
 
-#include <cmath>
-#include <limits>
+#include <cstddef>
 #include <new>
 #include <span>
 #include <stdexcept>
@@ -13,33 +12,64 @@
 
 namespace apollonius::internal {
 
-inline Error checkNumber(double value) {
-  if (!std::isfinite(value)) return Error::kNotFinite;
-  return isInRange(value) ? Error::kNone : Error::kOutOfRange;
+/// kNone, or the first that is not.
+inline Error firstOf(Error a, Error b, Error c = Error::kNone) {
+  return a != Error::kNone ? a : b != Error::kNone ? b : c;
 }
 
-inline Error checkNumbers(std::span<const double> values) {
-  for (const double value : values) {
-    if (const Error error = checkNumber(value); error != Error::kNone) return error;
+[[nodiscard]] Error checkNumber(double value);
+[[nodiscard]] Error checkNumbers(std::span<const double> values);
+
+/// Checks a distance beyond which nothing is looked for, infinite if there is none.
+[[nodiscard]] Error checkLimit(double maxDistance);
+
+inline Error checkPick(double maxDistance) {
+  return firstOf(checkLimit(maxDistance), maxDistance < 0 ? Error::kOutOfRange : Error::kNone);
+}
+
+inline Error checkLength(bool isGood) { return isGood ? Error::kNone : Error::kBadLength; }
+
+/// One id for each point, and a distance or none at all.
+inline Error checkResults(std::span<const double> points, std::span<SiteId> ids,
+                          std::span<double> distances) {
+  return checkLength(points.size() == 2 * ids.size() &&
+                     (distances.empty() || distances.size() == ids.size()));
+}
+
+/// May this many sites join the others?
+inline Error checkRoom(std::size_t more, std::size_t sites) {
+  return more <= kMostSites - sites ? Error::kNone : Error::kTooLarge;
+}
+
+/// Are these all sites of a diagram?
+template <class AnyDiagram>
+Error checkIds(const AnyDiagram& diagram, std::span<const SiteId> ids) {
+  for (const SiteId id : ids) {
+    if (!diagram.has(id)) return Error::kUnknownSite;
   }
   return Error::kNone;
 }
 
-inline Error checkNumbers(double x, double y) {
-  const Error error = checkNumber(x);
-  return error != Error::kNone ? error : checkNumber(y);
+// What the sphere (spherical_checks.h) checks in another way.
+
+inline Error checkPoint(const DiagramCore&, double x, double y) {
+  return firstOf(checkNumber(x), checkNumber(y));
+}
+/// x, y pairs.
+inline Error checkPoints(const DiagramCore&, std::span<const double> xy) {
+  return checkNumbers(xy);
+}
+/// x, y, r triples.
+inline Error checkSites(const DiagramCore&, std::span<const double> xyr) {
+  return checkNumbers(xyr);
 }
 
-/// Of a distance beyond which nothing is looked for; infinite if there is none.
-inline Error checkLimit(double maxDistance) {
-  return maxDistance == std::numeric_limits<double>::infinity() ? Error::kNone
-                                                                : checkNumber(maxDistance);
-}
-
-/// Memory that runs out throws std::bad_alloc, or from a vector std::length_error. std::bad_alloc
-/// also ends a call that finds out that trusted bytes were no diagram, which the diagram remembers.
+/// Runs an operation unless there is an error `before`. Memory that runs out throws std::bad_alloc,
+/// or from a vector std::length_error. std::bad_alloc also ends a call that finds out that trusted
+/// bytes were no diagram, which the diagram remembers.
 template <class Operation>
-Error guarded(const DiagramCore& core, Operation&& operation) {
+[[nodiscard]] Error guarded(const DiagramCore& core, Error before, Operation&& operation) {
+  if (before != Error::kNone) return before;
   if (core.isBroken()) return Error::kCorruptSnapshot;
   try {
     operation();
@@ -49,6 +79,10 @@ Error guarded(const DiagramCore& core, Operation&& operation) {
   } catch (const std::length_error&) {
     return Error::kOutOfMemory;
   }
+}
+template <class Operation>
+[[nodiscard]] Error guarded(const DiagramCore& core, Operation&& operation) {
+  return guarded(core, Error::kNone, operation);
 }
 
 }  // namespace apollonius::internal

@@ -2,20 +2,20 @@
 // leaves the work to the core.
 #include "apollonius/diagram.h"
 
-#include <algorithm>
 #include <atomic>
-#include <cmath>
 #include <limits>
 #include <new>
 #include <utility>
 #include <vector>
 
 #include "api/checks.h"
-#include "base/flat_array.h"
+#include "api/sites.h"
 #include "diagram/bulk_insertion.h"
 #include "diagram/diagram_core.h"
 #include "diagram/listing.h"
+#include "diagram/plane.h"
 #include "diagram/queries.h"
+#include "diagram/topmost.h"
 #include "diagram/validate.h"
 #include "number/fp.h"
 #include "number/invariant.h"
@@ -28,8 +28,7 @@ using namespace internal;
 namespace {
 
 Error checkCircle(double x, double y, double r) {
-  const double values[] = {x, y, r};
-  return checkNumbers(values);
+  return firstOf(checkNumber(x), checkNumber(y), checkNumber(r));
 }
 
 }  // namespace
@@ -52,31 +51,27 @@ Diagram& Diagram::operator=(Diagram&&) noexcept = default;
 
 Error Diagram::insert(double x, double y, double r, SiteId& id) {
   change();
-  if (const Error error = checkCircle(x, y, r); error != Error::kNone) return error;
-  if (size() == kMostSites) return Error::kTooLarge;
-  return guarded(*core_, [&] { id = core_->insert({x, y, r}); });
+  return guarded(*core_, firstOf(checkCircle(x, y, r), checkRoom(1, size())),
+                 [&] { id = core_->insert({x, y, r}); });
 }
 
 Error Diagram::insertMany(std::span<const double> xyr, std::span<SiteId> ids) {
   change();
-  if (xyr.size() != 3 * ids.size()) return Error::kBadLength;
-  if (const Error error = checkNumbers(xyr); error != Error::kNone) return error;
-  if (ids.size() > kMostSites - size()) return Error::kTooLarge;
-  if (ids.empty()) return Error::kNone;  // without making the room that any insertion needs
-  return guarded(*core_, [&] { insertAll(*core_, xyr, ids); });
+  const Error error = firstOf(checkLength(xyr.size() == 3 * ids.size()), checkNumbers(xyr),
+                              checkRoom(ids.size(), size()));
+  return guarded(*core_, error, [&] {
+    // Of none, without making the room that any insertion needs.
+    if (!ids.empty()) insertAll(*core_, xyr, ids);
+  });
 }
 
 Error Diagram::insertMany(std::vector<double>&& xyr, std::vector<SiteId>& ids) {
   change();
   const std::size_t count = xyr.size() / 3;
-  if (xyr.size() != 3 * count) return Error::kBadLength;
-  if (const Error error = checkNumbers(xyr); error != Error::kNone) return error;
-  if (count > kMostSites - size()) return Error::kTooLarge;
-  if (count == 0) {
-    ids.clear();
-    return Error::kNone;
-  }
-  return guarded(*core_, [&] {
+  const Error error =
+      firstOf(checkLength(xyr.size() == 3 * count), checkNumbers(xyr), checkRoom(count, size()));
+  return guarded(*core_, error, [&] {
+    if (count == 0) return ids.clear();
     BulkInsertion insertion(*core_);
     insertion.stage(xyr);
     std::vector<double>().swap(xyr);
@@ -97,19 +92,15 @@ Error Diagram::removeMany(std::span<const SiteId> ids, std::size_t& removed) {
 
 Error Diagram::update(SiteId id, double x, double y, double r) {
   change();
-  if (!has(id)) return Error::kUnknownSite;
-  if (const Error error = checkCircle(x, y, r); error != Error::kNone) return error;
-  return guarded(*core_, [&] { core_->update(id, {x, y, r}); });
+  return guarded(*core_, firstOf(checkIds(*this, {&id, 1}), checkCircle(x, y, r)),
+                 [&] { core_->update(id, {x, y, r}); });
 }
 
 Error Diagram::updateMany(std::span<const SiteId> ids, std::span<const double> xyr) {
   change();
-  if (xyr.size() != 3 * ids.size()) return Error::kBadLength;
-  for (const SiteId id : ids) {
-    if (!has(id)) return Error::kUnknownSite;
-  }
-  if (const Error error = checkNumbers(xyr); error != Error::kNone) return error;
-  return guarded(*core_, [&] { core_->updateMany(ids, xyr); });
+  const Error error =
+      firstOf(checkLength(xyr.size() == 3 * ids.size()), checkIds(*this, ids), checkNumbers(xyr));
+  return guarded(*core_, error, [&] { core_->updateMany(ids, xyr); });
 }
 
 void Diagram::clear() noexcept {
@@ -132,29 +123,11 @@ Error Diagram::site(SiteId id, Circle& circle) const noexcept {
 }
 
 Error Diagram::ids(std::vector<SiteId>& ids) const {
-  return guarded(*core_, [&] {
-    ids.clear();
-    ids.reserve(size());
-    for (SiteId id = 0; id < core_->ids().idLimit(); ++id) {
-      if (has(id)) ids.push_back(id);
-    }
-  });
+  return guarded(*core_, [&] { listIds(*this, ids); });
 }
 
 Error Diagram::sites(SiteArrays& sites) const {
-  if (const Error error = ids(sites.ids); error != Error::kNone) return error;
-  return guarded(*core_, [&] {
-    sites.xyr.resize(3 * size());
-    sites.hidden.resize(size());
-    for (std::size_t k = 0; k < size(); ++k) {
-      const Slot slot = core_->ids().slotOf(sites.ids[k]);
-      const Site& site = core_->site(slot);
-      sites.xyr[3 * k] = site.x;
-      sites.xyr[3 * k + 1] = site.y;
-      sites.xyr[3 * k + 2] = site.r;
-      sites.hidden[k] = core_->ids().state(slot) == SiteState::kHidden ? 1 : 0;
-    }
-  });
+  return guarded(*core_, [&] { listSites<Circle>(*this, sites); });
 }
 
 Error Diagram::isHidden(SiteId id, bool& hidden) const noexcept {
@@ -179,22 +152,16 @@ Error Diagram::coverOf(SiteId id, SiteId& cover) const {
 // --- Queries
 
 Error Diagram::find(double x, double y, SiteId& id) const {
-  if (const Error error = checkNumbers(x, y); error != Error::kNone) return error;
-  return guarded(
-      *core_, [&] { id = idOrNone(*core_, visibleSize() == 0 ? kNoSlot : core_->nearest(x, y)); });
+  return find(x, y, std::numeric_limits<double>::infinity(), id);
 }
 
 Error Diagram::find(double x, double y, SiteId& id, double& distance) const {
-  if (const Error error = find(x, y, id); error != Error::kNone) return error;
-  distance = distanceTo(*core_, core_->ids().slotOf(id), x, y);
-  return Error::kNone;
+  return find(x, y, std::numeric_limits<double>::infinity(), id, distance);
 }
 
 Error Diagram::find(double x, double y, double maxDistance, SiteId& id) const {
-  if (const Error error = checkNumbers(x, y); error != Error::kNone) return error;
-  if (const Error error = checkLimit(maxDistance); error != Error::kNone) return error;
-  return guarded(*core_, [&] {
-    const Slot nearest = visibleSize() == 0 ? kNoSlot : core_->nearest(x, y);
+  return guarded(*core_, firstOf(checkPoint(*core_, x, y), checkLimit(maxDistance)), [&] {
+    const Slot nearest = Plane(*core_).nearest({x, y});
     id = idOrNone(*core_, orNone(*core_, nearest, x, y, maxDistance));
   });
 }
@@ -207,38 +174,32 @@ Error Diagram::find(double x, double y, double maxDistance, SiteId& id, double& 
 
 Error Diagram::findMany(std::span<const double> xy, double maxDistance, std::span<SiteId> ids,
                         std::span<double> distances) const {
-  if (xy.size() != 2 * ids.size() || (!distances.empty() && distances.size() != ids.size()))
-    return Error::kBadLength;
-  if (const Error error = checkNumbers(xy); error != Error::kNone) return error;
-  if (const Error error = checkLimit(maxDistance); error != Error::kNone) return error;
-  return guarded(*core_, [&] { listNearest(*core_, xy, maxDistance, ids, distances); });
+  const Error error =
+      firstOf(checkResults(xy, ids, distances), checkPoints(*core_, xy), checkLimit(maxDistance));
+  return guarded(*core_, error, [&] { listNearest(*core_, xy, maxDistance, ids, distances); });
 }
 
 Error Diagram::kNearest(double x, double y, std::size_t k, double maxDistance,
                         std::vector<SiteId>& sites) const {
-  if (const Error error = checkNumbers(x, y); error != Error::kNone) return error;
-  if (const Error error = checkLimit(maxDistance); error != Error::kNone) return error;
-  return guarded(*core_, [&] { listNearby(*core_, x, y, k, maxDistance, sites); });
+  return guarded(*core_, firstOf(checkPoint(*core_, x, y), checkLimit(maxDistance)),
+                 [&] { listNearby(*core_, x, y, k, maxDistance, sites); });
 }
 
 Error Diagram::kNearestMany(std::span<const double> xy, std::size_t k, double maxDistance,
                             bool withDistances, NearbyLists& lists) const {
-  if (xy.size() % 2 != 0) return Error::kBadLength;
-  if (const Error error = checkNumbers(xy); error != Error::kNone) return error;
-  if (const Error error = checkLimit(maxDistance); error != Error::kNone) return error;
-  return guarded(*core_, [&] { listNearbyMany(*core_, xy, k, maxDistance, withDistances, lists); });
+  const Error error =
+      firstOf(checkLength(xy.size() % 2 == 0), checkPoints(*core_, xy), checkLimit(maxDistance));
+  return guarded(*core_, error,
+                 [&] { listNearbyMany(*core_, xy, k, maxDistance, withDistances, lists); });
 }
 
 Error Diagram::pick(double x, double y, double maxDistance, Top top, SiteId& id) const {
-  if (const Error error = checkNumbers(x, y); error != Error::kNone) return error;
-  if (const Error error = checkLimit(maxDistance); error != Error::kNone) return error;
-  if (maxDistance < 0) return Error::kOutOfRange;
-  return guarded(*core_, [&] { id = internal::pick(*core_, x, y, maxDistance, top); });
+  return guarded(*core_, firstOf(checkPoint(*core_, x, y), checkPick(maxDistance)),
+                 [&] { id = topmost(NearbySearch(Plane(*core_), {x, y}, maxDistance), top); });
 }
 
 Error Diagram::farthest(double x, double y, SiteId& id, double& distance) const {
-  if (const Error error = checkNumbers(x, y); error != Error::kNone) return error;
-  return guarded(*core_, [&] {
+  return guarded(*core_, checkPoint(*core_, x, y), [&] {
     const Slot slot = farthestSite(*core_, x, y);
     id = idOrNone(*core_, slot);
     distance = slot == kNoSlot ? -std::numeric_limits<double>::infinity()
@@ -248,22 +209,20 @@ Error Diagram::farthest(double x, double y, SiteId& id, double& distance) const 
 
 Error Diagram::search(double xmin, double ymin, double xmax, double ymax,
                       std::vector<SiteId>& sites) const {
-  for (const double value : {xmin, ymin, xmax, ymax}) {
-    if (checkNumber(value) != Error::kNone) return Error::kBadBounds;
-  }
-  if (xmin > xmax || ymin > ymax) return Error::kBadBounds;
-  return guarded(*core_, [&] { listMeeting(*core_, xmin, ymin, xmax, ymax, sites); });
+  const double bounds[] = {xmin, ymin, xmax, ymax};
+  const bool isGood = checkNumbers(bounds) == Error::kNone && xmin <= xmax && ymin <= ymax;
+  return guarded(*core_, isGood ? Error::kNone : Error::kBadBounds,
+                 [&] { listMeeting(*core_, xmin, ymin, xmax, ymax, sites); });
 }
 
 Error Diagram::neighbors(SiteId id, std::vector<SiteId>& neighbors) const {
-  if (!has(id)) return Error::kUnknownSite;
-  return guarded(*core_, [&] { listNeighbors(*core_, id, neighbors); });
+  return guarded(*core_, checkIds(*this, {&id, 1}), [&] { listNeighbors(*core_, id, neighbors); });
 }
 
 Error Diagram::conflict(double x, double y, double r, std::vector<SiteId>& sites,
                         bool& isCovered) const {
-  if (const Error error = checkCircle(x, y, r); error != Error::kNone) return error;
-  return guarded(*core_, [&] { listConflict(*core_, normalized({x, y, r}), sites, isCovered); });
+  return guarded(*core_, checkCircle(x, y, r),
+                 [&] { listConflict(*core_, normalized({x, y, r}), sites, isCovered); });
 }
 
 Error Diagram::vertices(VertexArrays& vertices) const {

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "api/spherical_checks.h"
+#include "apollonius/spherical_diagram.h"
 #include "base/flat_array.h"
 #include "sphere/listing.h"
 #include "sphere/measures.h"
@@ -53,7 +54,7 @@ Error SphericalDiagram::distancesError(std::span<const double> distances) const 
     if (std::isnan(distance)) return Error::kNotFinite;
     if (distance != kEverywhere && !isInRange(distance)) return Error::kOutOfRange;
   }
-  return distances.size() <= 1 || distances.size() == idLimit() ? Error::kNone : Error::kBadLength;
+  return checkLength(distances.size() <= 1 || distances.size() == idLimit());
 }
 
 Error SphericalDiagram::cellError(SiteId id, double distance) const {
@@ -62,16 +63,14 @@ Error SphericalDiagram::cellError(SiteId id, double distance) const {
 
 Error SphericalDiagram::cellNeighbors(SiteId id, std::vector<SiteId>& neighbors,
                                       std::vector<double>& distances) const {
-  if (!has(id)) return Error::kUnknownSite;
-  return guarded(*core_,
+  return guarded(*core_, checkIds(*this, {&id, 1}),
                  [&] { listNeighbors(core_->projected(), id, radius(), neighbors, distances); });
 }
 
 Error SphericalDiagram::contains(SiteId id, double lon, double lat, double distance,
                                  bool& inside) const {
-  if (const Error error = cellError(id, distance); error != Error::kNone) return error;
-  if (const Error error = checkPoint(lon, lat); error != Error::kNone) return error;
-  return guarded(*core_, [&] {
+  const Error error = firstOf(cellError(id, distance), checkPoint(*core_, lon, lat));
+  return guarded(*core_, error, [&] {
     const ProjectedDiagram& diagram = core_->projected();
     const Direction point = directionOf({lon, lat});
     inside = !diagram.isHidden(id) && distanceTo(core_->sites(), id, point) <= distance &&
@@ -81,16 +80,14 @@ Error SphericalDiagram::contains(SiteId id, double lon, double lat, double dista
 }
 
 Error SphericalDiagram::cellArea(SiteId id, double distance, double& area) const {
-  if (const Error error = cellError(id, distance); error != Error::kNone) return error;
-  return guarded(*core_, [&] {
+  return guarded(*core_, cellError(id, distance), [&] {
     area = measureOf(core_->projected(), id, CellMeasure::kArea, {{&distance, 1}, radius()}) *
            (radius() * radius());
   });
 }
 
 Error SphericalDiagram::cellPerimeter(SiteId id, double distance, double& perimeter) const {
-  if (const Error error = cellError(id, distance); error != Error::kNone) return error;
-  return guarded(*core_, [&] {
+  return guarded(*core_, cellError(id, distance), [&] {
     perimeter =
         measureOf(core_->projected(), id, CellMeasure::kPerimeter, {{&distance, 1}, radius()}) *
         radius();
@@ -99,9 +96,8 @@ Error SphericalDiagram::cellPerimeter(SiteId id, double distance, double& perime
 
 Error SphericalDiagram::cellAreas(std::span<const double> distances,
                                   std::vector<double>& areas) const {
-  if (const Error error = distancesError(distances); error != Error::kNone) return error;
   bool isWhole = true;
-  const Error error = guarded(*core_, [&] {
+  const Error error = guarded(*core_, distancesError(distances), [&] {
     constexpr double kSphere = 4 * std::numbers::pi, kRounding = 1e-5;
     const AngularReach reach(distances, radius());
     listMeasures(core_->projected(), core_->sites(), CellMeasure::kArea, reach, areas);
@@ -118,8 +114,7 @@ Error SphericalDiagram::cellAreas(std::span<const double> distances,
 
 Error SphericalDiagram::cellPerimeters(std::span<const double> distances,
                                        std::vector<double>& perimeters) const {
-  if (const Error error = distancesError(distances); error != Error::kNone) return error;
-  return guarded(*core_, [&] {
+  return guarded(*core_, distancesError(distances), [&] {
     listMeasures(core_->projected(), core_->sites(), CellMeasure::kPerimeter, {distances, radius()},
                  perimeters);
     for (double& perimeter : perimeters) perimeter *= radius();
@@ -127,8 +122,7 @@ Error SphericalDiagram::cellPerimeters(std::span<const double> distances,
 }
 
 Error SphericalDiagram::cellCentroid(SiteId id, double distance, SphericalPoint& centroid) const {
-  if (const Error error = cellError(id, distance); error != Error::kNone) return error;
-  return guarded(*core_, [&] {
+  return guarded(*core_, cellError(id, distance), [&] {
     constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
     centroid = {kNone, kNone};
     const ProjectedDiagram& diagram = core_->projected();
@@ -150,9 +144,8 @@ Error SphericalDiagram::cellCentroid(SiteId id, double distance, SphericalPoint&
 
 Error SphericalDiagram::cellPolygon(SiteId id, double tolerance, bool isCut, double distance,
                                     RingArrays& rings) const {
-  if (const Error error = cellError(id, distance); error != Error::kNone) return error;
-  if (const Error error = checkTolerance(tolerance); error != Error::kNone) return error;
-  return guarded(*core_, [&] {
+  const Error error = firstOf(cellError(id, distance), checkTolerance(tolerance));
+  return guarded(*core_, error, [&] {
     const ProjectedDiagram& diagram = core_->projected();
     CellPolygons cells(diagram, tolerance, isCut, {{&distance, 1}, radius()},
                        SphericalVertices::Of::kSome);
@@ -164,10 +157,9 @@ Error SphericalDiagram::cellPolygon(SiteId id, double tolerance, bool isCut, dou
 Error SphericalDiagram::cellPolygons(double tolerance, bool isCut,
                                      std::span<const double> distances,
                                      CoverageArrays& polygons) const {
-  if (const Error error = checkTolerance(tolerance); error != Error::kNone) return error;
-  if (const Error error = distancesError(distances); error != Error::kNone) return error;
   bool isCovered = true;
-  const Error error = guarded(*core_, [&] {
+  const Error before = firstOf(checkTolerance(tolerance), distancesError(distances));
+  const Error error = guarded(*core_, before, [&] {
     const ProjectedDiagram& diagram = core_->projected();
     const AngularReach reach(distances, radius());
     CellPolygons cells(diagram, tolerance, isCut, reach, SphericalVertices::Of::kAll);
@@ -194,9 +186,8 @@ Error SphericalDiagram::cellPolygons(double tolerance, bool isCut,
 
 Error SphericalDiagram::naturalWeights(double lon, double lat, double r,
                                        NaturalWeights& found) const {
-  const double site[] = {lon, lat, r};
-  if (const Error error = checkSites(site, radius()); error != Error::kNone) return error;
-  return guarded(*core_, [&] {
+  const Error error = firstOf(checkPoint(*core_, lon, lat), checkWeight(*core_, r));
+  return guarded(*core_, error, [&] {
     const ProjectedDiagram& diagram = core_->projected();
     found = {};
     if (diagram.isEmpty()) return;
@@ -210,12 +201,10 @@ Error SphericalDiagram::naturalWeights(double lon, double lat, double r,
 
 Error SphericalDiagram::interpolate(std::span<const double> values, std::span<const double> lonLat,
                                     double r, std::span<double> results) const {
-  if (values.size() != core_->sites().idLimit() || lonLat.size() != 2 * results.size())
-    return Error::kBadLength;
-  const double weight[] = {0, 0, r};
-  if (const Error error = checkSites(weight, radius()); error != Error::kNone) return error;
-  if (const Error error = checkPoints(lonLat); error != Error::kNone) return error;
-  return guarded(*core_, [&] {
+  const bool areLengthsGood = values.size() == idLimit() && lonLat.size() == 2 * results.size();
+  const Error error =
+      firstOf(checkLength(areLengthsGood), checkWeight(*core_, r), checkPoints(*core_, lonLat));
+  return guarded(*core_, error, [&] {
     internal::sphere::interpolate(core_->projected(), values, lonLat, r / radius(), results);
   });
 }

@@ -1,10 +1,13 @@
 #include "apollonius/spherical_diagram.h"
 
-#include <algorithm>
-#include <cmath>
+#include <limits>
+#include <new>
 #include <numbers>
 
+#include "api/sites.h"
 #include "api/spherical_checks.h"
+#include "diagram/nearby_lists.h"
+#include "diagram/topmost.h"
 #include "number/fp.h"
 #include "number/invariant.h"
 #include "sphere/empty_circles.h"
@@ -16,6 +19,20 @@ namespace apollonius {
 
 using namespace internal;
 using namespace internal::sphere;
+
+namespace {
+
+/// To a site; where that is farther than the limit, and from none, infinity, and the id becomes
+/// kNoSite.
+double limitedDistance(const SphericalCore& core, const Direction& point, double maxDistance,
+                       SiteId& id) {
+  const double distance = id == kNoSite ? kEverywhere : distanceTo(core.sites(), id, point);
+  if (!(distance > maxDistance)) return distance;
+  id = kNoSite;
+  return kEverywhere;
+}
+
+}  // namespace
 
 SphericalDiagram::SphericalDiagram(double radius) : core_(std::make_unique<SphericalCore>(radius)) {
   const char* violation = arithmeticViolation();
@@ -38,10 +55,9 @@ Error SphericalDiagram::insert(double lon, double lat, double r, SiteId& id) {
 }
 
 Error SphericalDiagram::insertMany(std::span<const double> sites, std::span<SiteId> ids) {
-  if (sites.size() != 3 * ids.size()) return Error::kBadLength;
-  if (const Error error = checkSites(sites, radius()); error != Error::kNone) return error;
-  if (ids.size() > kMostSites - size()) return Error::kTooLarge;
-  return guarded(*core_, [&] { core_->insertMany(sites, ids); });
+  const Error error = firstOf(checkLength(sites.size() == 3 * ids.size()),
+                              checkSites(*core_, sites), checkRoom(ids.size(), size()));
+  return guarded(*core_, error, [&] { core_->insertMany(sites, ids); });
 }
 
 Error SphericalDiagram::remove(SiteId id, bool& removed) {
@@ -58,12 +74,9 @@ Error SphericalDiagram::update(SiteId id, double lon, double lat, double r) {
 }
 
 Error SphericalDiagram::updateMany(std::span<const SiteId> ids, std::span<const double> sites) {
-  if (sites.size() != 3 * ids.size()) return Error::kBadLength;
-  for (const SiteId id : ids) {
-    if (!has(id)) return Error::kUnknownSite;
-  }
-  if (const Error error = checkSites(sites, radius()); error != Error::kNone) return error;
-  return guarded(*core_, [&] { core_->updateMany(ids, sites); });
+  const Error error = firstOf(checkLength(sites.size() == 3 * ids.size()), checkIds(*this, ids),
+                              checkSites(*core_, sites));
+  return guarded(*core_, error, [&] { core_->updateMany(ids, sites); });
 }
 
 void SphericalDiagram::clear() noexcept { core_->clear(); }
@@ -83,28 +96,11 @@ Error SphericalDiagram::site(SiteId id, SphericalCircle& circle) const noexcept 
 }
 
 Error SphericalDiagram::ids(std::vector<SiteId>& ids) const {
-  return guarded(*core_, [&] {
-    ids.clear();
-    ids.reserve(size());
-    for (SiteId id = 0; id < core_->sites().idLimit(); ++id) {
-      if (has(id)) ids.push_back(id);
-    }
-  });
+  return guarded(*core_, [&] { listIds(*this, ids); });
 }
 
 Error SphericalDiagram::sites(SiteArrays& sites) const {
-  if (const Error error = ids(sites.ids); error != Error::kNone) return error;
-  return guarded(*core_, [&] {
-    sites.xyr.resize(3 * size());
-    sites.hidden.resize(size());
-    for (std::size_t k = 0; k < size(); ++k) {
-      const SphericalSite& site = core_->sites()[sites.ids[k]];
-      sites.xyr[3 * k] = site.centre.lon;
-      sites.xyr[3 * k + 1] = site.centre.lat;
-      sites.xyr[3 * k + 2] = site.r;
-      sites.hidden[k] = core_->projected().isHidden(sites.ids[k]) ? 1 : 0;
-    }
-  });
+  return guarded(*core_, [&] { listSites<SphericalCircle>(*this, sites); });
 }
 
 Error SphericalDiagram::isHidden(SiteId id, bool& hidden) const noexcept {
@@ -114,12 +110,10 @@ Error SphericalDiagram::isHidden(SiteId id, bool& hidden) const noexcept {
 }
 
 Error SphericalDiagram::coverOf(SiteId id, SiteId& cover) const {
-  if (!has(id)) return Error::kUnknownSite;
-  return guarded(*core_, [&] {
-    const ProjectedDiagram& diagram = core_->projected();
+  return guarded(*core_, checkIds(*this, {&id, 1}), [&] {
     // As in the plane, the site nearest to its centre covers it.
-    cover = diagram.isHidden(id)
-                ? diagram.siteOf(nearestNode(diagram, directionOf(core_->sites()[id].centre)))
+    cover = core_->projected().isHidden(id)
+                ? Sphere(*core_).nearest(directionOf(core_->sites()[id].centre))
                 : kNoSite;
   });
 }
@@ -127,19 +121,12 @@ Error SphericalDiagram::coverOf(SiteId id, SiteId& cover) const {
 // --- Queries
 
 Error SphericalDiagram::find(double lon, double lat, SiteId& id) const {
-  if (const Error error = checkPoint(lon, lat); error != Error::kNone) return error;
-  return guarded(*core_, [&] {
-    const ProjectedDiagram& diagram = core_->projected();
-    id =
-        diagram.isEmpty() ? kNoSite : diagram.siteOf(nearestNode(diagram, directionOf({lon, lat})));
-  });
+  return guarded(*core_, checkPoint(*core_, lon, lat),
+                 [&] { id = Sphere(*core_).nearest(directionOf({lon, lat})); });
 }
 
 Error SphericalDiagram::find(double lon, double lat, SiteId& id, double& distance) const {
-  if (const Error error = find(lon, lat, id); error != Error::kNone) return error;
-  distance = id == kNoSite ? std::numeric_limits<double>::infinity()
-                           : distanceTo(core_->sites(), id, directionOf({lon, lat}));
-  return Error::kNone;
+  return find(lon, lat, kEverywhere, id, distance);
 }
 
 Error SphericalDiagram::find(double lon, double lat, double maxDistance, SiteId& id) const {
@@ -149,22 +136,17 @@ Error SphericalDiagram::find(double lon, double lat, double maxDistance, SiteId&
 
 Error SphericalDiagram::find(double lon, double lat, double maxDistance, SiteId& id,
                              double& distance) const {
-  if (const Error error = checkPoint(lon, lat); error != Error::kNone) return error;
-  if (std::isnan(maxDistance)) return Error::kNotFinite;
-  if (const Error error = find(lon, lat, id, distance); error != Error::kNone) return error;
-  if (distance > maxDistance) {
-    id = kNoSite;
-    distance = std::numeric_limits<double>::infinity();
-  }
-  return Error::kNone;
+  return guarded(*core_, firstOf(checkPoint(*core_, lon, lat), checkLimit(maxDistance)), [&] {
+    const Direction point = directionOf({lon, lat});
+    id = Sphere(*core_).nearest(point);
+    distance = limitedDistance(*core_, point, maxDistance, id);
+  });
 }
 
 Error SphericalDiagram::farthest(double lon, double lat, SiteId& id, double& distance) const {
-  if (const Error error = checkPoint(lon, lat); error != Error::kNone) return error;
-  return guarded(*core_, [&] {
-    const ProjectedDiagram& diagram = core_->projected();
+  return guarded(*core_, checkPoint(*core_, lon, lat), [&] {
     const Direction opposite = -1 * directionOf({lon, lat});
-    id = diagram.isEmpty() ? kNoSite : diagram.siteOf(nearestNode(diagram, opposite));
+    id = Sphere(*core_).nearest(opposite);
     // A way and the rest of it to the opposite point are half a great circle.
     distance = id == kNoSite
                    ? -std::numeric_limits<double>::infinity()
@@ -174,24 +156,14 @@ Error SphericalDiagram::farthest(double lon, double lat, SiteId& id, double& dis
 
 Error SphericalDiagram::findMany(std::span<const double> lonLat, double maxDistance,
                                  std::span<SiteId> ids, std::span<double> distances) const {
-  if (lonLat.size() != 2 * ids.size() || (!distances.empty() && distances.size() != ids.size()))
-    return Error::kBadLength;
-  if (const Error error = checkPoints(lonLat); error != Error::kNone) return error;
-  if (std::isnan(maxDistance)) return Error::kNotFinite;
-  return guarded(*core_, [&] {
-    constexpr double kNone = std::numeric_limits<double>::infinity();
+  const Error error = firstOf(checkResults(lonLat, ids, distances), checkPoints(*core_, lonLat),
+                              checkLimit(maxDistance));
+  return guarded(*core_, error, [&] {
     listNearest(core_->projected(), lonLat, ids);
-    if (distances.empty() && maxDistance == kNone) return;
+    if (distances.empty() && maxDistance == kEverywhere) return;
     for (std::size_t k = 0; k < ids.size(); ++k) {
-      double distance = kNone;
-      if (ids[k] != kNoSite) {
-        distance =
-            distanceTo(core_->sites(), ids[k], directionOf({lonLat[2 * k], lonLat[2 * k + 1]}));
-        if (distance > maxDistance) {
-          ids[k] = kNoSite;
-          distance = kNone;
-        }
-      }
+      const Direction point = directionOf({lonLat[2 * k], lonLat[2 * k + 1]});
+      const double distance = limitedDistance(*core_, point, maxDistance, ids[k]);
       if (!distances.empty()) distances[k] = distance;
     }
   });
@@ -199,46 +171,30 @@ Error SphericalDiagram::findMany(std::span<const double> lonLat, double maxDista
 
 Error SphericalDiagram::kNearest(double lon, double lat, std::size_t k, double maxDistance,
                                  std::vector<SiteId>& sites) const {
-  if (const Error error = checkPoint(lon, lat); error != Error::kNone) return error;
-  if (std::isnan(maxDistance)) return Error::kNotFinite;
-  return guarded(*core_, [&] {
-    sites.clear();
-    if (k == 0) return;
-    SphericalSearch search(core_->projected(), core_->sites(), directionOf({lon, lat}),
-                           maxDistance);
-    for (SiteId id = search.next(); id != kNoSite; id = search.next()) {
-      sites.push_back(id);
-      if (sites.size() == k) return;
-    }
+  return guarded(*core_, firstOf(checkPoint(*core_, lon, lat), checkLimit(maxDistance)), [&] {
+    listNearby(NearbySearch(Sphere(*core_), directionOf({lon, lat}), maxDistance), k, sites);
   });
 }
 
 Error SphericalDiagram::kNearestMany(std::span<const double> lonLat, std::size_t k,
                                      double maxDistance, bool withDistances,
                                      NearbyLists& lists) const {
-  if (lonLat.size() % 2 != 0) return Error::kBadLength;
-  if (const Error error = checkPoints(lonLat); error != Error::kNone) return error;
-  if (std::isnan(maxDistance)) return Error::kNotFinite;
-  return guarded(*core_, [&] {
-    listNearbyMany(core_->projected(), core_->sites(), lonLat, k, maxDistance, withDistances,
-                   lists);
-  });
+  const Error error = firstOf(checkLength(lonLat.size() % 2 == 0), checkPoints(*core_, lonLat),
+                              checkLimit(maxDistance));
+  return guarded(*core_, error,
+                 [&] { listNearbyMany(*core_, lonLat, k, maxDistance, withDistances, lists); });
 }
 
 Error SphericalDiagram::pick(double lon, double lat, double maxDistance, Top top,
                              SiteId& id) const {
-  if (const Error error = checkPoint(lon, lat); error != Error::kNone) return error;
-  if (std::isnan(maxDistance)) return Error::kNotFinite;
-  if (maxDistance < 0) return Error::kOutOfRange;
-  return guarded(*core_, [&] {
-    id =
-        sphere::pick(core_->projected(), core_->sites(), directionOf({lon, lat}), maxDistance, top);
+  return guarded(*core_, firstOf(checkPoint(*core_, lon, lat), checkPick(maxDistance)), [&] {
+    id = topmost(NearbySearch(Sphere(*core_), directionOf({lon, lat}), maxDistance), top);
   });
 }
 
 Error SphericalDiagram::neighbors(SiteId id, std::vector<SiteId>& neighbors) const {
-  if (!has(id)) return Error::kUnknownSite;
-  return guarded(*core_, [&] { listNeighbors(core_->projected(), id, neighbors); });
+  return guarded(*core_, checkIds(*this, {&id, 1}),
+                 [&] { listNeighbors(core_->projected(), id, neighbors); });
 }
 
 Error SphericalDiagram::vertices(VertexArrays& vertices) const {

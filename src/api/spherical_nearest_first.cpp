@@ -1,36 +1,17 @@
+#include "api/nearest_first.h"
 #include "api/spherical_checks.h"
+#include "apollonius/spherical_diagram.h"
 #include "sphere/nearby.h"
 
 namespace apollonius {
 
-using namespace internal;
-using namespace internal::sphere;
+template <>
+struct SphericalNearestFirst::Search : internal::NearbySearch<internal::sphere::Sphere> {
+  Search(const internal::sphere::SphericalCore& core, double lon, double lat, double maxDistance)
+      : NearbySearch(internal::sphere::Sphere(core), internal::sphere::directionOf({lon, lat}),
+                     maxDistance) {}
+};
 
-SphericalNearestFirst::SphericalNearestFirst(const SphericalDiagram& diagram) noexcept
-    : diagram_(&diagram) {}
-SphericalNearestFirst::~SphericalNearestFirst() = default;
-SphericalNearestFirst::SphericalNearestFirst(SphericalNearestFirst&&) noexcept = default;
-
-Error SphericalNearestFirst::start(double lon, double lat, double maxDistance) {
-  if (const Error error = checkPoint(lon, lat); error != Error::kNone) return error;
-  if (std::isnan(maxDistance)) return Error::kNotFinite;
-  const SphericalCore& core = *diagram_->core_;
-  return guarded(core, [&] {
-    search_ = std::make_unique<SphericalSearch>(core.projected(), core.sites(),
-                                                directionOf({lon, lat}), maxDistance);
-  });
-}
-
-Error SphericalNearestFirst::next(SiteId& id) {
-  id = kNoSite;
-  if (search_ == nullptr) return Error::kNone;
-  const Error error = guarded(*diagram_->core_, [&] { id = search_->next(); });
-  if (error != Error::kNone) search_.reset();
-  return error;
-}
-
-double SphericalNearestFirst::distance() const {
-  return search_ == nullptr ? std::numeric_limits<double>::infinity() : search_->distance();
-}
+template class NearestFirstOf<SphericalDiagram>;
 
 }  // namespace apollonius

@@ -94,11 +94,6 @@ Point centerOf(const DiagramCore& core, Slot slot) {
   return {core.site(slot).x, core.site(slot).y};
 }
 
-/// kNone, or the first that is not.
-Error firstOf(Error a, Error b, Error c = Error::kNone) {
-  return a != Error::kNone ? a : b != Error::kNone ? b : c;
-}
-
 Error toleranceError(double tolerance) {
   if (!std::isfinite(tolerance)) return Error::kNotFinite;
   return tolerance >= 0 ? Error::kNone : Error::kOutOfRange;
@@ -161,8 +156,7 @@ Error Voronoi::siteError(SiteId id) const {
 
 template <class Operation>
 Error Voronoi::guarded(Error before, Operation&& operation) const {
-  if (before != Error::kNone) return before;
-  return internal::guarded(*diagram_.core_, operation);
+  return internal::guarded(*diagram_.core_, before, operation);
 }
 
 template <class Operation>

@@ -294,10 +294,12 @@ class APOLLONIUS_EXPORT Diagram {
   [[nodiscard]] std::uint64_t revision() const noexcept { return state_; }
 
  private:
-  friend class AreaFit;       // apollonius/area_fit.h
-  friend class Builder;       // in steps: apollonius/builder.h
-  friend class NearestFirst;  // the sites around a point, one by one: apollonius/nearest_first.h
-  friend class Voronoi;       // its geometry: apollonius/voronoi.h
+  friend class AreaFit;  // apollonius/area_fit.h
+  friend class Voronoi;  // its geometry: apollonius/voronoi.h
+  template <class AnyDiagram>
+  friend class BuilderOf;  // in steps: apollonius/builder.h
+  template <class AnyDiagram>
+  friend class NearestFirstOf;  // the sites around a point, one by one: apollonius/nearest_first.h
 
   /// To be called before anything changes.
   void change() noexcept;

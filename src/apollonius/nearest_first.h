@@ -10,36 +10,40 @@
 
 namespace apollonius {
 
-namespace internal {
-class NearbySearch;
-}
+class SphericalDiagram;
 
-/// A walk over the sites of a diagram, which must neither change nor end before it.
-class APOLLONIUS_EXPORT NearestFirst {
+/// A walk over the sites of a Diagram or a SphericalDiagram, which must neither change nor end
+/// before it.
+template <class AnyDiagram>
+class APOLLONIUS_EXPORT NearestFirstOf {
  public:
   /// Nothing is found before start().
-  explicit NearestFirst(const Diagram& diagram) noexcept;
-  ~NearestFirst();
-  NearestFirst(NearestFirst&&) noexcept;
+  explicit NearestFirstOf(const AnyDiagram& diagram) noexcept;
+  ~NearestFirstOf();
+  NearestFirstOf(NearestFirstOf&&) noexcept;
 
-  /// From now on next() gives the sites around (x, y) that are not farther than `maxDistance`,
-  /// hidden ones too. Errors: as Diagram::within. Cost: one location.
+  /// From now on next() gives the sites around (x, y), on the sphere longitude and latitude, that
+  /// are not farther than `maxDistance`, hidden ones too. Errors: as within() and kNearest() of the
+  /// diagram. Cost: one location.
   [[nodiscard]] Error start(double x, double y,
                             double maxDistance = std::numeric_limits<double>::infinity());
 
-  /// The next site; ties as in Diagram::find, identical circles ascending by id. kNoSite after the
-  /// last. Errors: kOutOfMemory; the walk ends with it. Cost: for m sites together O(m log m) with
-  /// their neighbours.
+  /// The next site; ties as in kNearest(). kNoSite after the last. Errors: kOutOfMemory; the walk
+  /// ends with it. Cost: for m sites together O(m log m) with their neighbours.
   [[nodiscard]] Error next(SiteId& id);
 
-  /// From the point to the site that next() gave last, as Diagram::find has it: so at most 0 if its
-  /// circle contains the point. Infinity before the first site and after
-  /// the last. O(1).
+  /// From the point to the site that next() gave last, as find() has it: so at most 0 if its circle
+  /// contains the point. Infinity before the first site and after the last. O(1).
   [[nodiscard]] double distance() const;
 
  private:
-  const Diagram* diagram_;
-  std::unique_ptr<internal::NearbySearch> search_;
+  struct Search;
+
+  const AnyDiagram* diagram_;
+  std::unique_ptr<Search> search_;
 };
+
+using NearestFirst = NearestFirstOf<Diagram>;
+using SphericalNearestFirst = NearestFirstOf<SphericalDiagram>;
 
 }  // namespace apollonius

@@ -50,6 +50,7 @@ namespace internal::sphere {
 class SphericalCore;
 }
 
+/// Calls that Diagram has, too, do as they do there; what is said here is what differs.
 class APOLLONIUS_EXPORT SphericalDiagram {
  public:
   /// On a sphere of this radius, in the unit of weights, distances and the root of areas; 1 gives
@@ -66,90 +67,72 @@ class APOLLONIUS_EXPORT SphericalDiagram {
 
   // --- Sites
 
-  /// Adds a site; any longitude. Duplicates and covered sites are legal (they become hidden sites).
-  /// Errors: kNotFinite, kOutOfRange (a latitude outside [-90, 90], a weight of half a great circle
-  /// or more), kOutOfMemory, kTooLarge. Cost: as in the plane; when the number of sites has
-  /// doubled, and when the new site hides one that the diagram is projected from (one in h), that
-  /// of building.
+  /// Adds a site; any longitude. Errors: kNotFinite, kOutOfRange (a latitude outside [-90, 90], a
+  /// weight of half a great circle or more), kOutOfMemory, kTooLarge. Cost: as in the plane; when
+  /// the number of sites has doubled, and when the new site hides one that the diagram is projected
+  /// from (one in h), that of building.
   [[nodiscard]] Error insert(double lon, double lat, double r, SiteId& id);
 
-  /// Adds lon, lat, r triples; ids[k] becomes the id of triple k. All or nothing. Errors: as
-  /// insert; kBadLength unless there is one triple an id.
+  /// Adds lon, lat, r triples.
   [[nodiscard]] Error insertMany(std::span<const double> sites, std::span<SiteId> ids);
 
-  /// As Diagram::remove. Cost: that of building for one in h sites.
+  /// Cost: that of building for one in h sites.
   [[nodiscard]] Error remove(SiteId id, bool& removed);
   [[nodiscard]] Error removeMany(std::span<const SiteId> ids, std::size_t& removed);
 
-  /// As Diagram::update and updateMany. Cost: that of building for one in h sites, and for many.
+  /// Cost: that of building for one in h sites, and for many.
   [[nodiscard]] Error update(SiteId id, double lon, double lat, double r);
   [[nodiscard]] Error updateMany(std::span<const SiteId> ids, std::span<const double> sites);
 
-  /// Removes all sites; ids start from 0 again.
   void clear() noexcept;
 
-  [[nodiscard]] std::size_t size() const noexcept;         ///< sites, hidden ones too
-  [[nodiscard]] std::size_t visibleSize() const noexcept;  ///< sites with a cell
+  [[nodiscard]] std::size_t size() const noexcept;
+  [[nodiscard]] std::size_t visibleSize() const noexcept;
   [[nodiscard]] bool has(SiteId id) const noexcept;
-  /// How many ids were ever used: all are below.
   [[nodiscard]] std::size_t idLimit() const noexcept;
-  /// Exactly as given. Errors: kUnknownSite.
   [[nodiscard]] Error site(SiteId id, SphericalCircle& circle) const noexcept;
-  /// All ids, ascending; replaces the contents. Errors: kOutOfMemory.
   [[nodiscard]] Error ids(std::vector<SiteId>& ids) const;
-  /// `xyr` has lon, lat, r. Replaces the contents. Errors: kOutOfMemory. Cost: O(n)
+  /// `xyr` has lon, lat, r.
   [[nodiscard]] Error sites(SiteArrays& sites) const;
-  [[nodiscard]] Error isHidden(SiteId id, bool& hidden) const noexcept;  ///< Errors: kUnknownSite
-  /// A visible site that covers this one; kNoSite for a visible site. Errors: kUnknownSite. Cost:
-  /// one location.
+  [[nodiscard]] Error isHidden(SiteId id, bool& hidden) const noexcept;
   [[nodiscard]] Error coverOf(SiteId id, SiteId& cover) const;
 
   // --- Queries. Errors: kNotFinite, kOutOfRange (a latitude), kOutOfMemory
 
-  /// The nearest site of a point, to within 4 units of 2^-53 radians; of equally near ones, any.
-  /// kNoSite and infinity if empty. Cost: one location.
+  /// To within 4 units of 2^-53 radians; of equally near ones, any. Distances are rounded, also
+  /// where they are compared with `maxDistance`. Cost: one location.
   [[nodiscard]] Error find(double lon, double lat, SiteId& id) const;
   [[nodiscard]] Error find(double lon, double lat, SiteId& id, double& distance) const;
-  /// The same, or kNoSite and infinity if the (rounded) distance is more than `maxDistance`.
   [[nodiscard]] Error find(double lon, double lat, double maxDistance, SiteId& id) const;
   [[nodiscard]] Error find(double lon, double lat, double maxDistance, SiteId& id,
                            double& distance) const;
   /// The site whose far side is the farthest from a point: the nearest one to the opposite point.
   /// kNoSite and -infinity if empty.
   [[nodiscard]] Error farthest(double lon, double lat, SiteId& id, double& distance) const;
-  /// find for lonLat.size()/2 points. `distances` may be empty, else it has one element a point.
-  /// Errors: also kBadLength.
   [[nodiscard]] Error findMany(std::span<const double> lonLat, double maxDistance,
                                std::span<SiteId> ids, std::span<double> distances) const;
   [[nodiscard]] Error findMany(std::span<const double> lonLat, std::span<SiteId> ids,
                                std::span<double> distances) const {
     return findMany(lonLat, std::numeric_limits<double>::infinity(), ids, distances);
   }
-  /// The k nearest sites, hidden ones too, nearest first, of those that are not farther than
-  /// `maxDistance`, in the order of rounded distances. Replaces the contents. Cost: one location
-  /// and O(m log m), m = the neighbours of the sites found.
+  /// In the order of rounded distances.
   [[nodiscard]] Error kNearest(double lon, double lat, std::size_t k, double maxDistance,
                                std::vector<SiteId>& sites) const;
-  /// As Diagram::kNearestMany.
   [[nodiscard]] Error kNearestMany(std::span<const double> lonLat, std::size_t k,
                                    double maxDistance, bool withDistances,
                                    NearbyLists& lists) const;
-  /// As Diagram::pick: a site contains the points at a (rounded) distance of at most 0.
+  /// A site contains the points at a (rounded) distance of at most 0.
   [[nodiscard]] Error pick(double lon, double lat, double maxDistance, Top top, SiteId& id) const;
-  /// As Diagram::neighbors.
   [[nodiscard]] Error neighbors(SiteId id, std::vector<SiteId>& neighbors) const;
-  /// All Voronoi vertices: longitude and latitude, the distance to their three sites. Replaces the
-  /// contents. Errors: kOutOfMemory. Cost: O(h)
+  /// `coordinates` has longitude and latitude.
   [[nodiscard]] Error vertices(VertexArrays& vertices) const;
   /// The `most` largest circles that no site reaches into, the largest first, none of which has its
   /// centre in one before it: longitude and latitude, the distance to the nearest site (below 0
   /// where the whole sphere is covered), and that one site a row. Replaces the contents. Errors:
   /// kOutOfMemory. Cost: O(h (log n + most))
   [[nodiscard]] Error emptyCircles(std::size_t most, VertexArrays& circles) const;
-  /// All Voronoi edges, between rows of vertices(); -1 for the closed edge of two sites. Replaces
-  /// the contents. Errors: kOutOfMemory. Cost: O(h)
+  /// Both ends of the closed edge of two sites are -1.
   [[nodiscard]] Error edges(EdgeArrays& edges) const;
-  /// As Diagram::narrowest.
   [[nodiscard]] Error narrowest(VertexArrays& places) const;
 
   // --- Cells. Errors: kUnknownSite, kOutOfMemory
@@ -227,41 +210,15 @@ class APOLLONIUS_EXPORT SphericalDiagram {
   [[nodiscard]] Error validate(Violation& violation) const;
 
  private:
-  friend class SphericalBuilder;  // in steps: apollonius/spherical_builder.h
-  friend class SphericalNearestFirst;
+  template <class AnyDiagram>
+  friend class BuilderOf;
+  template <class AnyDiagram>
+  friend class NearestFirstOf;
 
   [[nodiscard]] Error distancesError(std::span<const double> distances) const;
   [[nodiscard]] Error cellError(SiteId id, double distance) const;
 
   std::unique_ptr<internal::sphere::SphericalCore> core_;
-};
-
-namespace internal::sphere {
-class SphericalSearch;
-}
-
-/// The sites around a point one by one, as NearestFirst in the plane. The diagram must neither
-/// change nor end before it.
-class APOLLONIUS_EXPORT SphericalNearestFirst {
- public:
-  /// Nothing is found before start().
-  explicit SphericalNearestFirst(const SphericalDiagram& diagram) noexcept;
-  ~SphericalNearestFirst();
-  SphericalNearestFirst(SphericalNearestFirst&&) noexcept;
-
-  /// From now on next() gives the sites that are not farther than `maxDistance`. Errors: as
-  /// SphericalDiagram::kNearest.
-  [[nodiscard]] Error start(double lon, double lat,
-                            double maxDistance = std::numeric_limits<double>::infinity());
-  /// The next site; kNoSite after the last. Errors: kOutOfMemory; the walk ends with it.
-  [[nodiscard]] Error next(SiteId& id);
-  /// From the point to the site that next() gave last, as SphericalDiagram::find has it; infinity
-  /// before the first site and after the last. O(1).
-  [[nodiscard]] double distance() const;
-
- private:
-  const SphericalDiagram* diagram_;
-  std::unique_ptr<internal::sphere::SphericalSearch> search_;
 };
 
 }  // namespace apollonius

@@ -12,11 +12,6 @@ NearbyListsBuilder::NearbyListsBuilder(std::size_t points, bool withDistances, N
   lists.starts.assign(points + 1, 0);
 }
 
-void NearbyListsBuilder::begin(std::size_t point) {
-  point_ = point;
-  begins_[point] = static_cast<std::uint32_t>(ids_.size());
-}
-
 void NearbyListsBuilder::finish() {
   if (ids_.size() > std::numeric_limits<std::uint32_t>::max()) throw std::bad_alloc();
   lists_.ids.resize(ids_.size());

@@ -9,19 +9,33 @@
 
 namespace apollonius::internal {
 
+/// The first `most` sites of a search. Replaces the contents of `sites`. Throws std::bad_alloc.
+template <class Search>
+void listNearby(Search&& search, std::size_t most, std::vector<SiteId>& sites) {
+  sites.clear();
+  while (sites.size() < most) {
+    const SiteId id = search.nextId();
+    if (id == kNoSite) return;
+    sites.push_back(id);
+  }
+}
+
 class NearbyListsBuilder {
  public:
   /// Replaces the contents of `lists`. Throws std::bad_alloc, as all calls do.
   NearbyListsBuilder(std::size_t points, bool withDistances, NearbyLists& lists);
 
-  /// The next sites are near this point. Each point is begun once.
-  void begin(std::size_t point);
-  /// `distance()` is called if distances are wanted.
-  template <class Distance>
-  void add(SiteId id, Distance&& distance) {
-    ids_.push_back(id);
-    if (withDistances_) distances_.push_back(distance());
-    ++lists_.starts[point_ + 1];
+  /// Lists the first `most` sites of a search from a point. Each point comes once.
+  template <class Search>
+  void list(std::size_t point, Search& search, std::size_t most) {
+    begins_[point] = static_cast<std::uint32_t>(ids_.size());
+    for (; most > 0; --most) {
+      const SiteId id = search.nextId();
+      if (id == kNoSite) break;
+      ids_.push_back(id);
+      if (withDistances_) distances_.push_back(search.distance());
+      ++lists_.starts[point + 1];
+    }
   }
 
   /// Puts the lists into the order of the points. The last call.
@@ -30,7 +44,6 @@ class NearbyListsBuilder {
  private:
   NearbyLists& lists_;  // its `starts` are counts up to finish()
   bool withDistances_;
-  std::size_t point_ = 0;
   std::vector<std::uint32_t> begins_;  // of each point's list, in ids_
   std::vector<SiteId> ids_;
   std::vector<double> distances_;

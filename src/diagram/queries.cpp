@@ -7,12 +7,13 @@
 #include "base/flat_array.h"
 #include "base/radix_sort.h"
 #include "diagram/nearby_lists.h"
-#include "diagram/nearby_search.h"
-#include "diagram/topmost.h"
+#include "diagram/plane.h"
 #include "predicate/distance.h"
 #include "topology/hull.h"
 
 namespace apollonius::internal {
+
+template class NearbySearch<Plane>;
 
 namespace {
 
@@ -91,7 +92,8 @@ class WindowSearch {
   [[nodiscard]] bool isDone(Piece& piece) {
     const bool isDivisible = piece.canBeCut();
     if (isDivisible && piece.reach() > kLargestMagnitude) return false;
-    NearbySearch search(diagram_, piece.x(), piece.y(), std::min(piece.reach(), kLargestMagnitude));
+    NearbySearch search(Plane(diagram_), {piece.x(), piece.y()},
+                        std::min(piece.reach(), kLargestMagnitude));
     std::size_t meeting = 0, others = 0, known = 0;
     for (Slot slot = search.next(); slot != kNoSlot; slot = search.next()) {
       if (meets(diagram_.site(slot), window_)) {
@@ -126,7 +128,7 @@ void listNearest(const DiagramCore& diagram, std::span<const double> xy, double 
                  std::span<SiteId> ids, std::span<double> distances) {
   visitPoints(diagram, xy, [&](std::size_t k, Slot hint) {
     const double x = xy[2 * k], y = xy[2 * k + 1];
-    const Slot near = diagram.visibleCount() == 0 ? kNoSlot : diagram.nearest(x, y, hint);
+    const Slot near = Plane(diagram).nearest({x, y}, hint);
     const Slot found = orNone(diagram, near, x, y, maxDistance);
     ids[k] = idOrNone(diagram, found);
     if (!distances.empty()) distances[k] = distanceTo(diagram, found, x, y);
@@ -136,27 +138,19 @@ void listNearest(const DiagramCore& diagram, std::span<const double> xy, double 
 
 void listNearby(const DiagramCore& diagram, double x, double y, std::size_t most,
                 double maxDistance, std::vector<SiteId>& sites) {
-  sites.clear();
-  if (most == 0) return;
-  NearbySearch search(diagram, x, y, maxDistance);
-  for (Slot slot = search.next(); slot != kNoSlot; slot = search.next()) {
-    sites.push_back(diagram.ids().idOf(slot));
-    if (sites.size() == most) return;
-  }
+  listNearby(NearbySearch(Plane(diagram), {x, y}, maxDistance), most, sites);
 }
 
 void listNearbyMany(const DiagramCore& diagram, std::span<const double> xy, std::size_t most,
                     double maxDistance, bool withDistances, NearbyLists& lists) {
   NearbyListsBuilder builder(xy.size() / 2, withDistances, lists);
-  NearbySearch search(diagram);
+  const Plane plane(diagram);
+  NearbySearch search(plane);
   visitPoints(diagram, xy, [&](std::size_t k, Slot hint) {
-    builder.begin(k);
-    const Slot first = search.start(xy[2 * k], xy[2 * k + 1], maxDistance, hint);
-    for (std::size_t left = most; left > 0; --left) {
-      const Slot slot = search.next();
-      if (slot == kNoSlot) break;
-      builder.add(diagram.ids().idOf(slot), [&] { return search.distance(); });
-    }
+    const Point point{xy[2 * k], xy[2 * k + 1]};
+    const Slot first = plane.nearest(point, hint);
+    search.start(point, maxDistance, first);
+    builder.list(k, search, most);
     return first;
   });
   builder.finish();
@@ -173,17 +167,6 @@ Slot farthestSite(const DiagramCore& diagram, double x, double y) {
     if (farther == Sign::kPositive || (farther == Sign::kZero && precedes(b, a))) best = slot;
   });
   return best;
-}
-
-SiteId pick(const DiagramCore& diagram, double x, double y, double maxDistance, Top top) {
-  NearbySearch search(diagram, x, y, maxDistance);
-  const auto siteOf = [&](SiteId id) -> const Site& {
-    return diagram.site(diagram.ids().slotOf(id));
-  };
-  return topmost(
-      top, [&] { return idOrNone(diagram, search.next()); },
-      [&](SiteId id) { return !isBeyond(x, y, siteOf(id), 0); },
-      [&](SiteId id) { return siteOf(id).r; });
 }
 
 void listMeeting(const DiagramCore& diagram, double xmin, double ymin, double xmax, double ymax,

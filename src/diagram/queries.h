@@ -1,5 +1,4 @@
-// Queries about places: the sites near a point, the circle under a pointer, the circles in a
-// window.
+// Queries about places: the sites near a point, the circles in a window.
 #pragma once
 
 #include <algorithm>
@@ -78,12 +77,6 @@ void listNearbyMany(const DiagramCore& diagram, std::span<const double> xy, std:
 /// go to the larger site in the order of precedes(). kNoSlot if there is none. Exact. Cost: O(h)
 /// for h sites on the hull; the others do not reach as far in any direction.
 [[nodiscard]] Slot farthestSite(const DiagramCore& diagram, double x, double y);
-
-/// Of the sites whose circles contain the point, rim included, the one on top; else the nearest one
-/// if it is not farther than `maxDistance`; else kNoSite. Throws std::bad_alloc. Cost: one location
-/// and O(m log m), m = the neighbours of the circles that contain the point.
-[[nodiscard]] SiteId pick(const DiagramCore& diagram, double x, double y, double maxDistance,
-                          Top top);
 
 /// The sites whose circles meet a closed rectangle, which may be a segment or a point; none of
 /// negative radius. In ascending order of ids. Replaces the contents of `sites`. Throws

@@ -5,15 +5,18 @@
 
 namespace apollonius::internal {
 
-/// Finds the site on top of those that contain a point; else the nearest one, or kNoSite. `next()`
-/// gives the sites around the point, nearest first, then kNoSite. `isIn(id)` tells whether the one
-/// given last contains the point, and `weightOf(id)` its weight.
-template <class Next, class IsIn, class WeightOf>
-[[nodiscard]] SiteId topmost(Top top, Next&& next, IsIn&& isIn, WeightOf&& weightOf) {
-  SiteId best = next();
-  if (best == kNoSite || !isIn(best)) return best;
-  for (SiteId id = next(); id != kNoSite && isIn(id); id = next()) {
-    if (top == Top::kLast ? id > best : weightOf(id) < weightOf(best)) best = id;
+/// The site on top of those that contain the point of a search that begins; else the nearest one,
+/// or kNoSite if the search finds none. Throws std::bad_alloc. Cost: one location and O(m log m), m
+/// = the neighbours of the sites that contain the point.
+template <class Search>
+[[nodiscard]] SiteId topmost(Search&& search, Top top) {
+  SiteId best = search.nextId();
+  if (best == kNoSite || !search.isInside()) return best;
+  double weight = search.weight();
+  for (SiteId id = search.nextId(); id != kNoSite && search.isInside(); id = search.nextId()) {
+    if (!(top == Top::kLast ? id > best : search.weight() < weight)) continue;
+    best = id;
+    weight = search.weight();
   }
   return best;
 }

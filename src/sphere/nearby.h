@@ -2,13 +2,12 @@
 #pragma once
 
 #include <cstddef>
-#include <limits>
 #include <span>
 
 #include "apollonius/types.h"
 #include "base/flat_array.h"
 #include "diagram/nearby_search.h"
-#include "sphere/projected_diagram.h"
+#include "sphere/spherical_core.h"
 
 namespace apollonius::internal::sphere {
 
@@ -18,66 +17,56 @@ namespace apollonius::internal::sphere {
   return angle * sites.radius() - sites[id].r;
 }
 
-/// All sites, hidden ones too, in the order of their distance to a point, or those that are not
-/// farther than a limit, in the unit of the sphere's radius. The diagram must stay as it is. Cost:
-/// one location and O(m log m), m = the neighbours of the sites found. Calls throw std::bad_alloc,
-/// and are not to be repeated then.
-///
-/// Works as NearbySearch does in the plane, and for the same reasons, which are the triangle
-/// inequality and straight ways.
-class SphericalSearch {
+/// The sphere as a search around a point sees it, in the unit of its radius (nearby_search.h). Of
+/// sites that are equally far but for rounding, any comes first.
+class Sphere {
  public:
-  SphericalSearch(const ProjectedDiagram& diagram, const SiteTable& sites, const Direction& point,
-                  double maxDistance = std::numeric_limits<double>::infinity());
+  using Point = Direction;
+  using Site = SiteId;
+  static constexpr SiteId kNone = kNoSite;
 
-  /// For several points in turn: nothing is found before start().
-  SphericalSearch(const ProjectedDiagram& diagram, const SiteTable& sites)
-      : diagram_(diagram), sites_(sites) {}
-
-  /// Begins at a point, in the memory of the search before.
-  void start(const Direction& point, double maxDistance);
-
-  /// The next site, kNoSite after the last.
-  [[nodiscard]] SiteId next();
-
-  /// To the site that next() gave last, in the unit of the sphere's radius; infinite if there is
-  /// none.
-  [[nodiscard]] double distance() const {
-    return last_ == kNoSite ? std::numeric_limits<double>::infinity()
-                            : distanceTo(sites_, last_, point_);
-  }
-
- private:
   struct Entry {
     double distance;
     SiteId site;
-    bool operator<(const Entry& other) const {  // the nearest on top of a heap
-      return distance != other.distance ? distance > other.distance : site > other.site;
-    }
   };
 
-  void consider(SiteId site);
-  /// Considers those that may come directly after a site.
-  void follow(SiteId site);
+  explicit Sphere(const SphericalCore& core) : diagram_(&core.projected()), sites_(&core.sites()) {}
 
-  const ProjectedDiagram& diagram_;
-  const SiteTable& sites_;
-  Direction point_{};
-  double maxDistance_ = 0;
-  SiteId last_ = kNoSite;  // returned last, not followed yet
-  FlatArray<Entry> heap_;
-  SlotSet seen_;  // visible sites: a hidden one has one parent
+  [[nodiscard]] SiteId nearest(const Direction& point) const;
+  [[nodiscard]] Entry entry(const Direction& point, SiteId site) const {
+    return {distance(point, site), site};
+  }
+  [[nodiscard]] bool isBeyond(const Direction&, const Entry& entry, double limit) const {
+    return entry.distance > limit;
+  }
+  [[nodiscard]] bool isAfter(const Direction&, const Entry& a, const Entry& b) const {
+    return a.distance != b.distance ? a.distance > b.distance : a.site > b.site;
+  }
+  template <class Visit>
+  void visitBelow(SiteId site, Visit visit) const;
+  template <class Visit>
+  void visitNeighbors(SiteId site, Visit visit) const;
+  [[nodiscard]] double distance(const Direction& point, SiteId site) const {
+    return distanceTo(*sites_, site, point);
+  }
+  [[nodiscard]] bool contains(const Direction& point, SiteId site) const {
+    return distance(point, site) <= 0;
+  }
+  [[nodiscard]] double weight(SiteId site) const { return (*sites_)[site].r; }
+  [[nodiscard]] SiteId idOf(SiteId site) const { return site; }
+
+ private:
+  const ProjectedDiagram* diagram_;
+  const SiteTable* sites_;
 };
-
-/// Of the sites that contain the point, at a rounded distance of at most 0, the one on top; else
-/// the nearest one if it is not farther than `maxDistance`; else kNoSite. Throws std::bad_alloc.
-[[nodiscard]] SiteId pick(const ProjectedDiagram& diagram, const SiteTable& sites,
-                          const Direction& point, double maxDistance, Top top);
 
 /// The first `most` sites of a search from each of the points longitude, latitude in degrees.
 /// Replaces the contents of `lists`, with distances or without. Throws std::bad_alloc.
-void listNearbyMany(const ProjectedDiagram& diagram, const SiteTable& sites,
-                    std::span<const double> lonLat, std::size_t most, double maxDistance,
-                    bool withDistances, NearbyLists& lists);
+void listNearbyMany(const SphericalCore& core, std::span<const double> lonLat, std::size_t most,
+                    double maxDistance, bool withDistances, NearbyLists& lists);
 
 }  // namespace apollonius::internal::sphere
+
+namespace apollonius::internal {
+extern template class NearbySearch<sphere::Sphere>;  // sphere/nearby.cpp
+}

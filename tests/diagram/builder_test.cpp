@@ -1,4 +1,4 @@
-// Builder: the diagram that insertMany makes, in steps of any length; nothing of it if it is given
+// Builders: the diagram that insertMany makes, in steps of any length; nothing of it if it is given
 // up.
 #include "apollonius/builder.h"
 
@@ -7,80 +7,73 @@
 #include <limits>
 
 #include "support/building.h"
-#include "support/canonical.h"
-#include "support/corpus.h"
 #include "support/effort.h"
-#include "support/random.h"
+#include "support/surfaces.h"
 
 namespace apollonius::test {
 namespace {
 
-Diagram insertedAtOnce(const std::vector<double>& xyr) {
-  Diagram diagram;
-  std::vector<SiteId> ids(xyr.size() / 3);
-  EXPECT_EQ(diagram.insertMany(xyr, ids), Error::kNone);
-  return diagram;
-}
+template <class Surface>
+class BuilderOn : public ::testing::Test {
+ protected:
+  using Diagram = typename Surface::Diagram;
+  using Builder = typename Surface::Builder;
+};
+TYPED_TEST_SUITE(BuilderOn, Surfaces, NamesOfSurfaces);
 
-class BuilderOn : public ::testing::TestWithParam<NamedGenerator> {};
-
-TEST_P(BuilderOn, MakesTheSameDiagramInSteps) {
+/// The snapshot has the slots, or the pole and the state of the draws, too.
+TYPED_TEST(BuilderOn, MakesTheSameDiagramInSteps) {
   Random random(461);
-  const std::vector<double> xyr =
-      flat(GetParam().make(random, GetParam().large ? sized(1000, 3000) : 15));
-  const Diagram whole = insertedAtOnce(xyr);
-  for (const std::size_t steps : kLengths) {
-    Diagram diagram;
-    build<Builder>(diagram, xyr, 100, steps);
-    ASSERT_EQ(saved(diagram), saved(whole)) << "slots, too, are the same";
-    std::string broken;
-    ASSERT_EQ(diagram.validate(broken), Error::kNone);
-    ASSERT_EQ(broken, "");
+  for (const std::size_t n : {std::size_t{12}, sized(std::size_t{300}, std::size_t{2000})}) {
+    for (const auto& [name, triples] : TypeParam::sets(random, n)) {
+      SCOPED_TRACE(name);
+      const auto whole = madeOf<TypeParam>(triples);
+      for (const std::size_t steps : kLengths) {
+        typename TestFixture::Diagram diagram;
+        build<typename TestFixture::Builder>(diagram, triples, 100, steps);
+        ASSERT_EQ(saved(diagram), saved(whole));
+        ASSERT_NO_FATAL_FAILURE(expectValid(diagram));
+      }
+    }
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Corpus, BuilderOn, ::testing::ValuesIn(corpus()),
-                         [](const auto& parameter) { return parameter.param.name; });
-
-TEST(Builder, GivenUpLeavesAnEmptyDiagram) {
+TYPED_TEST(BuilderOn, GivenUpLeavesAnEmptyDiagram) {
   Random random(462);
-  const std::vector<double> xyr = flat(randomCircles(random, 400, Hidden::k20Percent));
-  Diagram diagram;
+  const Triples triples = TypeParam::sites(random, 400);
+  typename TestFixture::Diagram diagram;
   for (int most = 0; most < 80; most += 3) {
-    ASSERT_NO_FATAL_FAILURE(expectNothingIfGivenUp<Builder>(diagram, xyr, most));
-    std::string broken;
-    ASSERT_EQ(diagram.validate(broken), Error::kNone);
-    ASSERT_EQ(broken, "");
+    ASSERT_NO_FATAL_FAILURE(
+        expectNothingIfGivenUp<typename TestFixture::Builder>(diagram, triples, most));
+    ASSERT_NO_FATAL_FAILURE(expectValid(diagram));
   }
-  std::vector<SiteId> ids(xyr.size() / 3);
-  ASSERT_EQ(diagram.insertMany(xyr, ids), Error::kNone);
+  std::vector<SiteId> ids(triples.size() / 3);
+  ASSERT_EQ(diagram.insertMany(triples, ids), Error::kNone);
   EXPECT_EQ(ids.front(), 0u);
   EXPECT_EQ(ids.back(), ids.size() - 1);
-  std::string broken;
-  EXPECT_EQ(difference(canonicalForm(insertedAtOnce(xyr), broken), canonicalForm(diagram, broken)),
-            "");
+  EXPECT_EQ(allNeighbors(diagram), allNeighbors(madeOf<TypeParam>(triples)));
 }
 
-TEST(Builder, StepsAreShort) {
+TYPED_TEST(BuilderOn, StepsAreShort) {
   Random random(463);
-  const std::vector<double> xyr = flat(randomCircles(random, 5000, Hidden::kNone));
-  Diagram diagram;
-  EXPECT_GE(build<Builder>(diagram, xyr, 5000, 50), 100);
+  typename TestFixture::Diagram diagram;
+  const Triples triples = TypeParam::sites(random, 5000);
+  EXPECT_GE(build<typename TestFixture::Builder>(diagram, triples, 5000, 50), 100);
 }
 
 // (Places were read that are no more.)
-TEST(Builder, MovedGoesOnWhereItWasAndIsDoneOnce) {
+TYPED_TEST(BuilderOn, MovedGoesOnWhereItWasAndIsDoneOnce) {
   Random random(464);
-  const std::vector<double> xyr = flat(randomCircles(random, 300, Hidden::k20Percent));
-  expectMovedAndDoneOnce<Builder>(xyr, insertedAtOnce(xyr));
+  const Triples triples = TypeParam::sites(random, 300);
+  expectMovedAndDoneOnce<typename TestFixture::Builder>(triples, madeOf<TypeParam>(triples));
 }
 
-TEST(Builder, RefusesWhatIsNoCircle) {
-  const double nan = std::numeric_limits<double>::quiet_NaN();
-  Diagram diagram;
-  expectRefused<Builder>(diagram, {{{0, 0, 1, 0, nan, 1}, Error::kNotFinite},
-                                   {{0, 0, 1e101}, Error::kOutOfRange},
-                                   {{0, 0}, Error::kBadLength}});
+TYPED_TEST(BuilderOn, RefusesWhatIsNoSite) {
+  std::vector<std::pair<Triples, Error>> refused = {{{0, 0}, Error::kBadLength}};
+  for (const auto& [site, error] : TypeParam::badSites())
+    refused.push_back({{0, 0, 1, site[0], site[1], site[2]}, error});
+  typename TestFixture::Diagram diagram;
+  expectRefused<typename TestFixture::Builder>(diagram, refused);
 }
 
 }  // namespace

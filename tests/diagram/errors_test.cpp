@@ -49,47 +49,6 @@ class Errors : public ::testing::Test {
   std::string before_;
 };
 
-struct BadNumber {
-  double value;
-  Error error;
-};
-
-const BadNumber kBadNumbers[] = {
-    {kNan, Error::kNotFinite},       {kInf, Error::kNotFinite},
-    {-kInf, Error::kNotFinite},      {1.01e100, Error::kOutOfRange},
-    {-1.01e100, Error::kOutOfRange}, {0.99e-100, Error::kOutOfRange},
-    {-1e-300, Error::kOutOfRange},   {5e-324, Error::kOutOfRange},
-    {1.7e308, Error::kOutOfRange},
-};
-
-TEST_F(Errors, BadNumbersInEveryPlace) {
-  for (const auto& [value, error] : kBadNumbers) {
-    for (int place = 0; place < 3; ++place) {
-      double xyr[] = {1, 2, 3};
-      xyr[place] = value;
-      SiteId id = 12345;
-      EXPECT_EQ(diagram_.insert(xyr[0], xyr[1], xyr[2], id), error) << value;
-      EXPECT_EQ(diagram_.update(ids_[3], xyr[0], xyr[1], xyr[2]), error) << value;
-      double many[] = {50, 50, 1, 60, 60, 1, 70, 70, 1};
-      for (int triple = 0; triple < 3; ++triple) {
-        const double kept = many[3 * triple + place];
-        many[3 * triple + place] = value;
-        SiteId some[3] = {};
-        EXPECT_EQ(diagram_.insertMany(many, some), error) << value;
-        EXPECT_EQ(diagram_.updateMany(std::span(ids_).first(3), many), error) << value;
-        many[3 * triple + place] = kept;
-      }
-      if (place == 2) continue;
-      double distance = 0;
-      EXPECT_EQ(diagram_.find(xyr[0], xyr[1], id, distance), error) << value;
-      const double points[] = {0, 0, xyr[0], xyr[1]};
-      SiteId some[2] = {};
-      double distances[2] = {};
-      EXPECT_EQ(diagram_.findMany(points, some, distances), error) << value;
-    }
-  }
-}
-
 TEST_F(Errors, EndsOfTheRangeAreLegal) {
   Diagram diagram;
   SiteId id = kNoSite;
@@ -106,46 +65,6 @@ TEST_F(Errors, EndsOfTheRangeAreLegal) {
   }
 }
 
-TEST_F(Errors, UnknownSites) {
-  for (const SiteId id :
-       {static_cast<SiteId>(ids_.size()), kNoSite, kNoSite - 1, SiteId{1} << 31}) {
-    EXPECT_FALSE(diagram_.has(id));
-    Circle circle{};
-    EXPECT_EQ(diagram_.site(id, circle), Error::kUnknownSite);
-    bool flag = false;
-    EXPECT_EQ(diagram_.isHidden(id, flag), Error::kUnknownSite);
-    SiteId cover = 0;
-    EXPECT_EQ(diagram_.coverOf(id, cover), Error::kUnknownSite);
-    std::vector<SiteId> neighbors;
-    EXPECT_EQ(diagram_.neighbors(id, neighbors), Error::kUnknownSite);
-    EXPECT_EQ(diagram_.update(id, 1, 1, 1), Error::kUnknownSite);
-    const SiteId mixed[] = {ids_[0], id};
-    const double xyr[] = {50, 50, 1, 60, 60, 1};
-    EXPECT_EQ(diagram_.updateMany(mixed, xyr), Error::kUnknownSite);
-    bool removed = true;
-    EXPECT_EQ(diagram_.remove(id, removed), Error::kNone) << "not an error";
-    EXPECT_FALSE(removed);
-    std::size_t count = 99;
-    EXPECT_EQ(diagram_.removeMany(std::span(&id, 1), count), Error::kNone);
-    EXPECT_EQ(count, 0u);
-  }
-}
-
-TEST_F(Errors, WrongLengths) {
-  const double xyr[] = {50, 50, 1, 60, 60, 1, 70};
-  SiteId some[3] = {};
-  EXPECT_EQ(diagram_.insertMany(xyr, std::span(some, 2)), Error::kBadLength);
-  EXPECT_EQ(diagram_.insertMany(std::span(xyr).first(6), some), Error::kBadLength);
-  EXPECT_EQ(diagram_.updateMany(std::span(ids_).first(2), xyr), Error::kBadLength);
-  EXPECT_EQ(diagram_.updateMany(std::span(ids_).first(3), std::span(xyr).first(6)),
-            Error::kBadLength);
-  double distances[2] = {};
-  EXPECT_EQ(diagram_.findMany(std::span(xyr).first(5), std::span(some, 2), distances),
-            Error::kBadLength);
-  EXPECT_EQ(diagram_.findMany(std::span(xyr).first(4), some, distances), Error::kBadLength);
-  EXPECT_EQ(diagram_.findMany(std::span(xyr).first(6), some, distances), Error::kBadLength);
-}
-
 TEST_F(Errors, ArraysThatAreGivenUp) {
   std::vector<SiteId> ids{7};
   EXPECT_EQ(diagram_.insertMany(std::vector<double>(), ids), Error::kNone);
@@ -156,25 +75,6 @@ TEST_F(Errors, ArraysThatAreGivenUp) {
   xyr[1] = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(diagram_.insertMany(std::move(xyr), ids), Error::kNotFinite);
   EXPECT_EQ(diagram_.size(), size);
-}
-
-TEST(EmptyDiagram, FindManyFindsNothingInfinitelyFarAway) {
-  const Diagram empty;
-  std::vector<SiteId> ids(2, 5);
-  std::vector<double> distances(2, 0);
-  const double points[] = {1, 2, 3, 4};
-  ASSERT_EQ(empty.findMany(points, ids, distances), Error::kNone);
-  EXPECT_EQ(ids, std::vector<SiteId>(2, kNoSite));
-  EXPECT_EQ(distances, std::vector<double>(2, std::numeric_limits<double>::infinity()));
-}
-
-TEST_F(Errors, EmptyBatchesAreFine) {
-  std::size_t removed = 99;
-  EXPECT_EQ(diagram_.insertMany({}, {}), Error::kNone);
-  EXPECT_EQ(diagram_.updateMany({}, {}), Error::kNone);
-  EXPECT_EQ(diagram_.removeMany({}, removed), Error::kNone);
-  EXPECT_EQ(removed, 0u);
-  EXPECT_EQ(diagram_.findMany({}, {}, {}), Error::kNone);
 }
 
 }  // namespace

@@ -128,36 +128,5 @@ TEST(Ids, ClearStartsFromZero) {
   expectTable(diagram, {{0, {9, 9, 1}}});
 }
 
-TEST(Ids, MovedDiagramsKeepTheirSites) {
-  Diagram diagram;
-  SiteId id = kNoSite;
-  ASSERT_EQ(diagram.insert(1, 2, 3, id), Error::kNone);
-  Diagram moved = std::move(diagram);
-  expectTable(moved, {{id, {1, 2, 3}}});
-  Diagram assigned;
-  assigned = std::move(moved);
-  expectTable(assigned, {{id, {1, 2, 3}}});
-}
-
-TEST(Revision, ChangesWithTheDiagram) {
-  Diagram diagram;
-  std::uint64_t last = diagram.revision();
-  const auto expectChange = [&] {
-    EXPECT_NE(diagram.revision(), last);
-    last = diagram.revision();
-  };
-  insertInto(diagram, {{10, 10, 3}, {30, 12, 2}});
-  expectChange();
-  bool removed = false;
-  ASSERT_EQ(diagram.remove(0, removed), Error::kNone);
-  expectChange();
-  ASSERT_EQ(diagram.update(1, 3, 4, 5), Error::kNone);
-  expectChange();
-  SiteId id = 0;
-  double distance = 0;
-  ASSERT_EQ(diagram.find(1, 2, id, distance), Error::kNone);
-  EXPECT_EQ(diagram.revision(), last);
-}
-
 }  // namespace
 }  // namespace apollonius::test

@@ -264,20 +264,6 @@ TEST(Pick, BadNumbersAreErrors) {
   EXPECT_EQ(walk.start(0, 0, 1e-101), Error::kOutOfRange);
 }
 
-TEST(NearestFirst, MovedGoesOnWhereItWas) {
-  Diagram diagram;
-  SiteId id = kNoSite;
-  for (const double x : {1, 2, 3}) ASSERT_EQ(diagram.insert(x, 0, 0, id), Error::kNone);
-  NearestFirst walk(diagram);
-  ASSERT_EQ(walk.start(0, 0), Error::kNone);
-  ASSERT_EQ(walk.next(id), Error::kNone);
-  NearestFirst moved(std::move(walk));
-  for (const SiteId expected : {SiteId{1}, SiteId{2}, kNoSite}) {
-    ASSERT_EQ(moved.next(id), Error::kNone);
-    EXPECT_EQ(id, expected);
-  }
-}
-
 TEST(Pick, EmptyDiagram) {
   Diagram diagram;
   SiteId id = 5;

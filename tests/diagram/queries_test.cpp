@@ -173,52 +173,6 @@ TEST(Nearby, TheBoundaryIsIncludedExactly) {
   EXPECT_TRUE(sites.empty());
 }
 
-TEST(Nearby, EmptyDiagramNothingAskedFor) {
-  Diagram diagram;
-  std::vector<SiteId> sites{7};
-  EXPECT_EQ(diagram.kNearest(1, 2, 5, sites), Error::kNone);
-  EXPECT_TRUE(sites.empty());
-  EXPECT_EQ(diagram.within(1, 2, 5, sites), Error::kNone);
-  EXPECT_TRUE(sites.empty());
-  SiteId id = kNoSite;
-  ASSERT_EQ(diagram.insert(1, 2, 3, id), Error::kNone);
-  EXPECT_EQ(diagram.kNearest(1, 2, 0, sites), Error::kNone);
-  EXPECT_TRUE(sites.empty());
-  EXPECT_EQ(diagram.kNearest(1, 2, 5, sites), Error::kNone);
-  EXPECT_EQ(sites, std::vector<SiteId>{id});
-}
-
-TEST(Nearby, OfManyPointsAreThoseOfEach) {
-  Random random(354);
-  Diagram diagram;
-  insertInto(diagram, randomCircles(random, 500, Hidden::k20Percent));
-  std::vector<double> xy;
-  for (int k = 0; k < 600; ++k) xy.push_back(random.between(-1e6, 1e6));
-  for (const double farthest : {std::numeric_limits<double>::infinity(), 5e4, -1e4}) {
-    NearbyLists lists, bare;
-    ASSERT_EQ(diagram.kNearestMany(xy, 6, farthest, true, lists), Error::kNone);
-    ASSERT_EQ(diagram.kNearestMany(xy, 6, farthest, false, bare), Error::kNone);
-    EXPECT_EQ(bare.ids, lists.ids);
-    EXPECT_EQ(bare.starts, lists.starts);
-    EXPECT_TRUE(bare.distances.empty());
-    ASSERT_EQ(lists.starts.size(), xy.size() / 2 + 1);
-    ASSERT_EQ(lists.distances.size(), lists.ids.size());
-    for (std::size_t k = 0; 2 * k < xy.size(); ++k) {
-      std::vector<SiteId> expected;
-      ASSERT_EQ(diagram.kNearest(xy[2 * k], xy[2 * k + 1], 6, farthest, expected), Error::kNone);
-      const auto begin = lists.ids.begin() + lists.starts[k];
-      ASSERT_EQ(std::vector<SiteId>(begin, lists.ids.begin() + lists.starts[k + 1]), expected);
-      if (expected.empty()) continue;
-      SiteId nearest = kNoSite;
-      double distance = 0;
-      ASSERT_EQ(diagram.find(xy[2 * k], xy[2 * k + 1], nearest, distance), Error::kNone);
-      ASSERT_EQ(lists.distances[lists.starts[k]], distance);
-    }
-  }
-  NearbyLists lists;
-  EXPECT_EQ(diagram.kNearestMany(std::span(xy).first(3), 6, 1, true, lists), Error::kBadLength);
-}
-
 TEST(Farthest, TiesGoToTheHeavierThenTheGreaterXThenY) {
   for (const Circles& circles :
        {Circles{{0, 5, 0}, {3, 0, 2}, {-5, 0, 0}, {-3, 0, 2}, {0, -4, 1}, {0, 3, 2}},

@@ -1,5 +1,5 @@
-// The sphere's calls apart from what they compute: what is refused, what a hidden site or an empty
-// diagram gives, lists of sites, and the search that goes on.
+// What only the sphere's calls have, apart from what they compute: what is refused, and what a
+// hidden site or an empty diagram gives. What both surfaces have: diagram/calls_test.cpp.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,16 +20,6 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Site 1 is hidden.
 SphericalDiagram threeSites() { return diagramOf({{10, 20, 0.5}, {12, 20, 0.1}, {-100, 0, 0.1}}); }
 
-struct BadPoint {
-  double lon, lat;
-  Error error;
-};
-constexpr BadPoint kBadPoints[] = {{kNaN, 0, Error::kNotFinite},
-                                   {0, kNaN, Error::kNotFinite},
-                                   {kInfinity, 0, Error::kNotFinite},
-                                   {0, 90.5, Error::kOutOfRange},
-                                   {0, -90.5, Error::kOutOfRange}};
-
 TEST(SphericalCalls, RadiiAreThoseThatTheCallerMayGive) {
   for (const double radius : {1.0, 6371.0, kLargestMagnitude})
     EXPECT_TRUE(SphericalDiagram::isRadius(radius)) << radius;
@@ -38,86 +28,27 @@ TEST(SphericalCalls, RadiiAreThoseThatTheCallerMayGive) {
   EXPECT_EQ(SphericalDiagram(6371).radius(), 6371);
 }
 
-TEST(SphericalCalls, PointsThatAreNoneAreRefused) {
+TEST(SphericalCalls, PointsThatAreNoneAreInNoCell) {
   const SphericalDiagram diagram = threeSites();
-  SphericalNearestFirst search(diagram);
-  for (const auto& [lon, lat, error] : kBadPoints) {
-    SiteId id = 77;
-    double distance = 77;
-    bool isInside = true;
-    std::vector<SiteId> sites = {77}, one = {77};
-    EXPECT_EQ(diagram.find(lon, lat, id), error);
-    EXPECT_EQ(diagram.find(lon, lat, id, distance), error);
-    const double points[] = {lon, lat};
-    EXPECT_EQ(diagram.find(lon, lat, kInfinity, id), error);
-    EXPECT_EQ(diagram.find(lon, lat, kInfinity, id, distance), error);
-    EXPECT_EQ(diagram.findMany(points, one, {}), error);
-    EXPECT_EQ(diagram.kNearest(lon, lat, 3, kInfinity, sites), error);
-    NearbyLists lists;
-    EXPECT_EQ(diagram.kNearestMany(points, 3, kInfinity, false, lists), error);
-    EXPECT_EQ(diagram.pick(lon, lat, kInfinity, Top::kSmallest, id), error);
-    EXPECT_EQ(diagram.farthest(lon, lat, id, distance), error);
-    EXPECT_EQ(diagram.contains(0, lon, lat, kEverywhere, isInside), error);
-    EXPECT_EQ(search.start(lon, lat), error);
-    EXPECT_EQ(id, 77u);
-    EXPECT_EQ(distance, 77);
-    EXPECT_TRUE(isInside);
-    EXPECT_EQ(sites, std::vector<SiteId>{77});
-    EXPECT_EQ(one, std::vector<SiteId>{77});
-  }
-  SiteId id = 0;
-  NearbyLists lists;
-  std::vector<SiteId> sites;
-  EXPECT_EQ(diagram.kNearest(0, 0, 3, kNaN, sites), Error::kNotFinite);
-  EXPECT_EQ(diagram.kNearestMany({}, 3, kNaN, false, lists), Error::kNotFinite);
-  EXPECT_EQ(diagram.find(0, 0, kNaN, id), Error::kNotFinite);
-  EXPECT_EQ(diagram.findMany({}, kNaN, {}, {}), Error::kNotFinite);
-  const double three[] = {1, 2, 3};
-  EXPECT_EQ(diagram.kNearestMany(three, 3, kInfinity, false, lists), Error::kBadLength);
-  EXPECT_EQ(diagram.pick(0, 0, kNaN, Top::kSmallest, id), Error::kNotFinite);
-  EXPECT_EQ(diagram.pick(0, 0, -1, Top::kSmallest, id), Error::kOutOfRange);
-  EXPECT_EQ(search.start(0, 0, kNaN), Error::kNotFinite);
+  bool isInside = true;
+  EXPECT_EQ(diagram.contains(0, kNaN, 0, kEverywhere, isInside), Error::kNotFinite);
+  EXPECT_EQ(diagram.contains(0, 0, 90.5, kEverywhere, isInside), Error::kOutOfRange);
+  EXPECT_TRUE(isInside);
 }
 
-TEST(SphericalCalls, ArraysOfOtherLengthsAreRefused) {
-  SphericalDiagram diagram = threeSites();
-  const double points[] = {0, 0, 1, 1};
-  std::vector<SiteId> two(2), three(3);
-  std::vector<double> one(1);
-  EXPECT_EQ(diagram.findMany(points, three, {}), Error::kBadLength);
-  EXPECT_EQ(diagram.findMany(points, two, one), Error::kBadLength);
-  EXPECT_EQ(diagram.updateMany(std::vector<SiteId>{0, 1}, points), Error::kBadLength);
-  SiteArrays sites;
-  ASSERT_EQ(diagram.sites(sites), Error::kNone);
-  EXPECT_EQ(sites.xyr, flat({{10, 20, 0.5}, {12, 20, 0.1}, {-100, 0, 0.1}}));
-}
-
-TEST(SphericalCalls, UnknownSitesAreRefused) {
-  SphericalDiagram diagram = threeSites();
+TEST(SphericalCalls, UnknownSitesHaveNoCells) {
+  const SphericalDiagram diagram = threeSites();
   for (const SiteId id : {SiteId{3}, kNoSite}) {
-    SphericalCircle circle = {};
     SphericalPoint point = {};
     bool is = true;
-    SiteId cover = 77;
     double area = 77;
-    std::vector<SiteId> neighbors = {77};
     RingArrays rings;
-    EXPECT_FALSE(diagram.has(id));
-    EXPECT_EQ(diagram.site(id, circle), Error::kUnknownSite);
-    EXPECT_EQ(diagram.isHidden(id, is), Error::kUnknownSite);
-    EXPECT_EQ(diagram.coverOf(id, cover), Error::kUnknownSite);
-    EXPECT_EQ(diagram.neighbors(id, neighbors), Error::kUnknownSite);
     EXPECT_EQ(diagram.contains(id, 0, 0, kEverywhere, is), Error::kUnknownSite);
     EXPECT_EQ(diagram.cellArea(id, kEverywhere, area), Error::kUnknownSite);
     EXPECT_EQ(diagram.cellCentroid(id, kEverywhere, point), Error::kUnknownSite);
     EXPECT_EQ(diagram.cellPolygon(id, 0.1, false, kEverywhere, rings), Error::kUnknownSite);
-    EXPECT_EQ(cover, 77u);
     EXPECT_EQ(area, 77);
-    EXPECT_EQ(neighbors, std::vector<SiteId>{77});
-    ASSERT_EQ(diagram.remove(id, is), Error::kNone);
-    EXPECT_FALSE(is) << "of no site: no error, but nothing is removed";
   }
-  EXPECT_EQ(diagram.size(), 3u);
 }
 
 TEST(SphericalCalls, TolerancesThatAreNoneAreRefused) {
@@ -134,33 +65,13 @@ TEST(SphericalCalls, TolerancesThatAreNoneAreRefused) {
   EXPECT_EQ(diagram.cellPolygon(0, kFinestTolerance, true, kEverywhere, rings), Error::kNone);
 }
 
-TEST(SphericalCalls, EmptyBatchesChangeNothing) {
-  SphericalDiagram diagram = threeSites();
-  std::size_t removed = 77;
-  EXPECT_EQ(diagram.insertMany({}, {}), Error::kNone);
-  EXPECT_EQ(diagram.updateMany({}, {}), Error::kNone);
-  EXPECT_EQ(diagram.removeMany({}, removed), Error::kNone);
-  EXPECT_EQ(removed, 0u);
-  EXPECT_EQ(diagram.size(), 3u);
-}
-
-TEST(SphericalCalls, HiddenSitesHaveACoverAndNoCell) {
+TEST(SphericalCalls, HiddenSitesHaveNoCell) {
   const SphericalDiagram diagram = threeSites();
   bool is = false;
-  SiteId cover = kNoSite;
-  ASSERT_EQ(diagram.isHidden(1, is), Error::kNone);
-  EXPECT_TRUE(is);
-  ASSERT_EQ(diagram.coverOf(1, cover), Error::kNone);
-  EXPECT_EQ(cover, 0u);
-  ASSERT_EQ(diagram.coverOf(0, cover), Error::kNone);
-  EXPECT_EQ(cover, kNoSite);
   ASSERT_EQ(diagram.contains(1, 12, 20, kEverywhere, is), Error::kNone);
   EXPECT_FALSE(is);
   ASSERT_EQ(diagram.contains(2, 12, 20, kEverywhere, is), Error::kNone);
   EXPECT_FALSE(is);
-  std::vector<SiteId> neighbors = {77};
-  ASSERT_EQ(diagram.neighbors(1, neighbors), Error::kNone);
-  EXPECT_TRUE(neighbors.empty());
   double area = 77;
   ASSERT_EQ(diagram.cellArea(1, kEverywhere, area), Error::kNone);
   EXPECT_EQ(area, 0);
@@ -185,61 +96,17 @@ TEST(SphericalCalls, OneCellIsTheSphere) {
   EXPECT_NEAR(centroid.lat, 20, 1e-12);
 }
 
-TEST(SphericalCalls, SitesAreListedInTheOrderOfTheirIds) {
+TEST(SphericalCalls, AssignedDiagramsHaveTheRadiusOfTheOther) {
   SphericalDiagram diagram = threeSites();
-  bool removed = false;
-  SiteId id = kNoSite;
-  ASSERT_EQ(diagram.insert(50, 60, -0.2, id), Error::kNone);
-  ASSERT_EQ(diagram.remove(2, removed), Error::kNone);
-  SiteArrays sites;
-  ASSERT_EQ(diagram.sites(sites), Error::kNone);
-  EXPECT_EQ(sites.ids, (std::vector<SiteId>{0, 1, 3}));
-  EXPECT_EQ(sites.xyr, flat({{10, 20, 0.5}, {12, 20, 0.1}, {50, 60, -0.2}}));
-  EXPECT_EQ(std::vector<int>(sites.hidden.begin(), sites.hidden.end()), (std::vector{0, 1, 0}));
-}
-
-TEST(SphericalCalls, MovedDiagramsAreWhatTheyWere) {
-  SphericalDiagram diagram = threeSites();
-  const SphericalDiagram moved = std::move(diagram);
-  EXPECT_EQ(moved.size(), 3u);
-  EXPECT_EQ(moved.visibleSize(), 2u);
   diagram = SphericalDiagram(5);
   EXPECT_EQ(diagram.radius(), 5);
   EXPECT_EQ(diagram.size(), 0u);
 }
 
-TEST(SphericalCalls, AnEmptyDiagramHasNothing) {
-  const SphericalDiagram diagram;
-  SiteId id = 77;
-  double distance = 0;
-  ASSERT_EQ(diagram.find(1, 2, id, distance), Error::kNone);
-  EXPECT_EQ(id, kNoSite);
-  EXPECT_EQ(distance, kInfinity);
-  ASSERT_EQ(diagram.farthest(1, 2, id, distance), Error::kNone);
-  EXPECT_EQ(id, kNoSite);
-  EXPECT_EQ(distance, -kInfinity);
-  const double points[] = {1, 2, 3, 4};
-  std::vector<SiteId> found(2), sites = {77};
-  std::vector<double> distances(2);
-  ASSERT_EQ(diagram.findMany(points, found, distances), Error::kNone);
-  EXPECT_EQ(found, (std::vector<SiteId>{kNoSite, kNoSite}));
-  EXPECT_EQ(distances, (std::vector<double>{kInfinity, kInfinity}));
-  ASSERT_EQ(diagram.kNearest(1, 2, 5, kInfinity, sites), Error::kNone);
-  EXPECT_TRUE(sites.empty());
-  VertexArrays vertices;
-  EdgeArrays edges;
+TEST(SphericalCalls, AnEmptyDiagramHasNoPolygons) {
   CoverageArrays polygons;
-  ASSERT_EQ(diagram.vertices(vertices), Error::kNone);
-  ASSERT_EQ(diagram.edges(edges), Error::kNone);
-  ASSERT_EQ(diagram.cellPolygons(0.1, true, {}, polygons), Error::kNone);
-  EXPECT_TRUE(vertices.coordinates.empty());
-  EXPECT_TRUE(edges.sites.empty());
+  ASSERT_EQ(SphericalDiagram().cellPolygons(0.1, true, {}, polygons), Error::kNone);
   EXPECT_TRUE(polygons.sites.empty());
-  SphericalNearestFirst search(diagram);
-  ASSERT_EQ(search.start(1, 2), Error::kNone);
-  ASSERT_EQ(search.next(id), Error::kNone);
-  EXPECT_EQ(id, kNoSite);
-  EXPECT_EQ(search.distance(), kInfinity);
 }
 
 TEST(SphericalCalls, RemovedSitesHaveNoPolygons) {
@@ -249,40 +116,6 @@ TEST(SphericalCalls, RemovedSitesHaveNoPolygons) {
   CoverageArrays polygons;
   ASSERT_EQ(diagram.cellPolygons(0.1, true, {}, polygons), Error::kNone);
   EXPECT_EQ(polygons.sites, (std::vector<SiteId>{0, 2, 3}));
-}
-
-TEST(SphericalCalls, NoNearestSitesAreAskedFor) {
-  std::vector<SiteId> sites = {77};
-  ASSERT_EQ(threeSites().kNearest(1, 2, 0, kInfinity, sites), Error::kNone);
-  EXPECT_TRUE(sites.empty());
-}
-
-TEST(SphericalCalls, UnderAPointIsTheSmallestOrTheLastElseTheNearest) {
-  Random random(72);
-  const SphericalSites sites = randomSites(random, 60, 0.4);
-  const SphericalDiagram diagram = diagramOf(sites);
-  int inNone = 0, inSeveral = 0;
-  for (int k = 0; k < 300; ++k) {
-    const SphericalPoint p = randomPoint(random);
-    std::vector<SiteId> containing, nearest;
-    ASSERT_EQ(diagram.kNearest(p.lon, p.lat, sites.size(), 0, containing), Error::kNone);
-    ASSERT_EQ(diagram.kNearest(p.lon, p.lat, 1, kInfinity, nearest), Error::kNone);
-    inNone += containing.empty() ? 1 : 0;
-    inSeveral += containing.size() > 1 ? 1 : 0;
-    const auto isSmaller = [&](SiteId a, SiteId b) { return sites[a].r < sites[b].r; };
-    const SiteId smallest =
-        containing.empty() ? nearest[0] : *std::ranges::min_element(containing, isSmaller);
-    const SiteId last = containing.empty() ? nearest[0] : *std::ranges::max_element(containing);
-    SiteId id = kNoSite;
-    ASSERT_EQ(diagram.pick(p.lon, p.lat, kInfinity, Top::kSmallest, id), Error::kNone);
-    EXPECT_EQ(id, smallest);
-    ASSERT_EQ(diagram.pick(p.lon, p.lat, kInfinity, Top::kLast, id), Error::kNone);
-    EXPECT_EQ(id, last);
-    ASSERT_EQ(diagram.pick(p.lon, p.lat, 0, Top::kLast, id), Error::kNone);
-    EXPECT_EQ(id, containing.empty() ? kNoSite : last);
-  }
-  EXPECT_GT(inNone, 10);
-  EXPECT_GT(inSeveral, 10);
 }
 
 TEST(SphericalCalls, TheFarthestSideIsOppositeToTheNearest) {
@@ -314,30 +147,6 @@ TEST(SphericalCalls, InterpolationRefusesWhatDoesNotFit) {
   EXPECT_EQ(diagram.interpolate(std::vector<double>(2), points, 0, two), Error::kBadLength);
   EXPECT_EQ(diagram.interpolate(values, points, 0, one), Error::kBadLength);
   EXPECT_EQ(diagram.interpolate(values, noPoints, 0, two), Error::kNotFinite);
-}
-
-TEST(SphericalNearestFirst, GivesOneSiteAfterAnotherUpToADistance) {
-  Random random(71);
-  const SphericalSites sites = randomSites(random, 50, 0.3);
-  const SphericalDiagram diagram = diagramOf(sites);
-  SphericalNearestFirst begun(diagram);
-  SiteId id = 77;
-  ASSERT_EQ(begun.next(id), Error::kNone);
-  EXPECT_EQ(id, kNoSite) << "before start()";
-  EXPECT_EQ(begun.distance(), kInfinity);
-  ASSERT_EQ(begun.start(30, 40, 1), Error::kNone);
-  SphericalNearestFirst search = std::move(begun);
-  std::vector<SiteId> expected, found;
-  ASSERT_EQ(diagram.kNearest(30, 40, 50, 1, expected), Error::kNone);
-  for (;;) {
-    ASSERT_EQ(search.next(id), Error::kNone);
-    if (id == kNoSite) break;
-    found.push_back(id);
-    EXPECT_NEAR(search.distance(), distanceOf({30, 40}, sites[id]), 1e-14);
-  }
-  EXPECT_EQ(found, expected);
-  EXPECT_GT(found.size(), 10u);
-  EXPECT_LT(found.size(), 50u);
 }
 
 }  // namespace

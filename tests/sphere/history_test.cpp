@@ -154,30 +154,6 @@ TEST(SphericalHistories, ManyMovesAtOnceBuildThePlaneAnew) {
   }
 }
 
-TEST(SphericalHistories, WrongArgumentsAreRefusedAndChangeNothing) {
-  SphericalDiagram diagram = diagramOf({{0, 0, 0.1}, {90, 0, 0}});
-  const double nan = std::numeric_limits<double>::quiet_NaN();
-  SiteId id = 77;
-  EXPECT_EQ(diagram.insert(nan, 0, 0, id), Error::kNotFinite);
-  EXPECT_EQ(diagram.insert(0, nan, 0, id), Error::kNotFinite);
-  EXPECT_EQ(diagram.insert(0, 0, nan, id), Error::kNotFinite);
-  EXPECT_EQ(diagram.insert(0, 90.0001, 0, id), Error::kOutOfRange);
-  EXPECT_EQ(diagram.insert(0, -91, 0, id), Error::kOutOfRange);
-  EXPECT_EQ(diagram.insert(0, 0, std::numbers::pi, id), Error::kOutOfRange);
-  EXPECT_EQ(diagram.insert(0, 0, -3.15, id), Error::kOutOfRange);
-  EXPECT_EQ(id, 77u);
-  EXPECT_EQ(diagram.update(5, 0, 0, 0), Error::kUnknownSite);
-  EXPECT_EQ(diagram.update(0, 0, 100, 0), Error::kOutOfRange);
-  EXPECT_EQ(diagram.find(0, 91, id), Error::kOutOfRange);
-  std::vector<SiteId> ids(2);
-  EXPECT_EQ(diagram.insertMany(std::vector<double>{1, 2, 3, 4}, ids), Error::kBadLength);
-  EXPECT_EQ(diagram.size(), 2u);
-  double area = 0;
-  EXPECT_EQ(diagram.cellArea(2, kEverywhere, area), Error::kUnknownSite);
-  RingArrays rings;
-  EXPECT_EQ(diagram.cellPolygon(0, 0, false, kEverywhere, rings), Error::kOutOfRange);
-}
-
 TEST(SphericalHistories, LongitudesAreWrapped) {
   const SphericalDiagram diagram =
       diagramOf({{370, 5, 0}, {-170, 0, 0}, {100000 * 360.0 + 45, 0, 0}});

@@ -7,7 +7,8 @@
 #include <string>
 #include <utility>
 
-#include "apollonius/spherical_builder.h"
+#include "apollonius/builder.h"
+#include "apollonius/nearest_first.h"
 #include "sphere/sphere_sets.h"
 #include "support/failing_heap.h"
 #include "support/saved.h"

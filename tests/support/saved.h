@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "apollonius/types.h"
+#include "apollonius/diagram.h"
 
 namespace apollonius::test {
 

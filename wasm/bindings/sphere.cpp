@@ -4,7 +4,8 @@
 #include <vector>
 
 #include "adapters.h"
-#include "apollonius/spherical_builder.h"
+#include "apollonius/builder.h"
+#include "apollonius/nearest_first.h"
 #include "apollonius/spherical_diagram.h"
 #include "parts.h"
 
