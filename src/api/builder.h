@@ -1,16 +1,52 @@
 // BuilderOf, whose instances are in builder.cpp and spherical_builder.cpp. The work of each is made
 // of the diagram, and has:
-//   core                        of the diagram
+//   core()                      of the diagram
 //   error                       that ended the work
+//   reading                     of a snapshot, if there is one
 //   size()                      of the sites that have been added and are not done
-//   reserve(), add(), advance(), progress()
+//   reserve(), add(), read(), advance(), progress(), become()
 //                               as the builder's, of what has been checked; throw std::bad_alloc
 #pragma once
+
+#include <cstdint>
+#include <memory>
+#include <utility>
+#include <vector>
 
 #include "api/checks.h"
 #include "apollonius/builder.h"
 
 namespace apollonius {
+
+namespace internal {
+
+/// A snapshot that is read beside the diagram that it becomes.
+template <class Core, class Restoring>
+class Reading {
+ public:
+  template <class... Source>
+  Reading(std::unique_ptr<Core> empty, std::vector<std::uint8_t> bytes, Source... source)
+      : core_(std::move(empty)), bytes_(std::move(bytes)), restoring_(*core_, bytes_, source...) {}
+  Reading(const Reading&) = delete;
+  Reading& operator=(const Reading&) = delete;
+
+  /// Goes on; kCorruptSnapshot if the bytes are none.
+  Error advance(std::size_t steps, bool& isDone) {
+    const auto state = restoring_.advance(steps);
+    isDone = state == Restoring::State::kDone;
+    return state == Restoring::State::kCorrupt ? Error::kCorruptSnapshot : Error::kNone;
+  }
+  [[nodiscard]] double progress() const { return restoring_.progress(); }
+  /// What has been read. REQUIRES: done.
+  std::unique_ptr<Core> take() { return std::move(core_); }
+
+ private:
+  std::unique_ptr<Core> core_;
+  std::vector<std::uint8_t> bytes_;
+  Restoring restoring_;
+};
+
+}  // namespace internal
 
 template <class AnyDiagram>
 BuilderOf<AnyDiagram>::BuilderOf(AnyDiagram& diagram) : work_(std::make_unique<Work>(diagram)) {}
@@ -21,28 +57,45 @@ BuilderOf<AnyDiagram>::BuilderOf(BuilderOf&&) noexcept = default;
 
 template <class AnyDiagram>
 Error BuilderOf<AnyDiagram>::reserve(std::size_t count) {
-  return guarded(work_->core, internal::checkRoom(count, 0), [&] { work_->reserve(count); });
+  return guarded(work_->core(), internal::checkRoom(count, 0), [&] { work_->reserve(count); });
 }
 
 template <class AnyDiagram>
 Error BuilderOf<AnyDiagram>::add(std::span<const double> sites) {
   const Error error = internal::firstOf(internal::checkLength(sites.size() % 3 == 0),
-                                        checkSites(work_->core, sites),
+                                        checkSites(work_->core(), sites),
                                         internal::checkRoom(sites.size() / 3, work_->size()));
-  return guarded(work_->core, error, [&] { work_->add(sites); });
+  return guarded(work_->core(), error, [&] { work_->add(sites); });
+}
+
+template <class AnyDiagram>
+Error BuilderOf<AnyDiagram>::read(std::vector<std::uint8_t> bytes, Source source) {
+  return guarded(work_->core(), Error::kNone, [&] { work_->read(std::move(bytes), source); });
 }
 
 template <class AnyDiagram>
 Error BuilderOf<AnyDiagram>::advance(std::size_t steps, bool& isDone) {
-  Error& error = work_->error;
-  isDone = error == Error::kNone && work_->size() == 0;
-  if (!isDone) error = guarded(work_->core, error, [&] { isDone = work_->advance(steps); });
-  return error;
+  Work& work = *work_;
+  isDone = work.error == Error::kNone && work.size() == 0 && work.reading == nullptr;
+  if (isDone) return Error::kNone;
+  Error found = Error::kNone;
+  const Error failed = guarded(work.core(), work.error, [&] {
+    if (work.reading == nullptr) {
+      isDone = work.advance(steps);
+      return;
+    }
+    found = work.reading->advance(steps, isDone);
+    if (!isDone) return;
+    work.become(work.reading->take());
+    work.reading.reset();
+  });
+  work.error = internal::firstOf(failed, found);
+  return work.error;
 }
 
 template <class AnyDiagram>
 double BuilderOf<AnyDiagram>::progress() const noexcept {
-  return work_->progress();
+  return work_->reading != nullptr ? work_->reading->progress() : work_->progress();
 }
 
 }  // namespace apollonius

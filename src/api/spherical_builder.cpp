@@ -5,6 +5,7 @@
 #include "api/spherical_checks.h"
 #include "apollonius/spherical_diagram.h"
 #include "sphere/projecting.h"
+#include "sphere/restoring.h"
 
 namespace apollonius {
 
@@ -12,8 +13,11 @@ using namespace internal::sphere;
 
 template <>
 struct SphericalBuilder::Work {
-  explicit Work(SphericalDiagram& diagram) : core(*diagram.core_), sites(diagram.radius()) {}
+  using Reading = internal::Reading<SphericalCore, internal::sphere::Restoring>;
 
+  explicit Work(SphericalDiagram& built) : diagram(built), sites(diagram.radius()) {}
+
+  [[nodiscard]] SphericalCore& core() const { return *diagram.core_; }
   [[nodiscard]] std::size_t size() const { return sites.size(); }
   void reserve(std::size_t count) { sites.reserve(count); }
   void add(std::span<const double> more) {
@@ -22,19 +26,33 @@ struct SphericalBuilder::Work {
       (void)sites.take({{more[k], more[k + 1]}, more[k + 2]});
   }
 
+  /// What is built of the sites needs no proof, whoever saved them.
+  void read(std::vector<std::uint8_t> bytes, Source) {
+    auto empty = std::make_unique<SphericalCore>(diagram.radius());
+    reading = std::make_unique<Reading>(std::move(empty), std::move(bytes));
+  }
+  void become(std::unique_ptr<SphericalCore> restored) {
+    diagram.core_ = std::move(restored);
+    isRead = true;
+  }
+
   [[nodiscard]] bool advance(std::size_t steps) {
-    if (!projecting) projecting.emplace(sites, core.seed());
+    if (!projecting) projecting.emplace(sites, core().seed());
     if (!projecting->advance(steps)) return false;
-    core.become(std::move(sites), *projecting);
+    core().become(std::move(sites), *projecting);
     sites.clear();
     return true;
   }
-  [[nodiscard]] double progress() const { return projecting ? projecting->progress() : 0; }
+  [[nodiscard]] double progress() const {
+    return projecting ? projecting->progress() : static_cast<double>(isRead);
+  }
 
-  SphericalCore& core;
+  SphericalDiagram& diagram;
   SiteTable sites;
+  bool isRead = false;
   std::optional<Projecting> projecting;  // of `sites`
   Error error = Error::kNone;            // that ended the work
+  std::unique_ptr<Reading> reading;
 };
 
 template class BuilderOf<SphericalDiagram>;

@@ -1,11 +1,13 @@
-// Building a diagram of many sites in steps, for a thread that must not be busy for long: a page
-// goes on to answer while it is built. The same result as insertMany of the diagram, in about the
-// time.
+// Building a diagram of many sites in steps, or reading a snapshot, for a thread that must not be
+// busy for long: a page goes on to answer meanwhile. The same result as insertMany and fromBytes of
+// the diagram, in about the time.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <span>
+#include <vector>
 
 #include "apollonius/diagram.h"
 #include "apollonius/export.h"
@@ -14,8 +16,8 @@ namespace apollonius {
 
 class SphericalDiagram;
 
-/// Builds a Diagram or a SphericalDiagram. First the sites are added, then the work is done; ids
-/// are 0, 1, 2, … in the order of adding.
+/// Builds a Diagram or a SphericalDiagram. First the sites are added, whose ids are 0, 1, 2, … in
+/// that order, or the bytes of a snapshot are given; then the work is done.
 template <class AnyDiagram>
 class APOLLONIUS_EXPORT BuilderOf {
  public:
@@ -33,8 +35,13 @@ class APOLLONIUS_EXPORT BuilderOf {
   /// of these has been added. REQUIRES: advance() has not been called.
   [[nodiscard]] Error add(std::span<const double> sites);
 
-  /// Goes on by about this many steps, each of about a microsecond; `isDone` tells whether that was
-  /// all. Errors: kOutOfMemory, and then again, whatever memory there is.
+  /// Takes the bytes of a snapshot instead, as fromBytes() of the diagram. Errors: kOutOfMemory.
+  /// REQUIRES: nothing has been added.
+  [[nodiscard]] Error read(std::vector<std::uint8_t> bytes, Source source = Source::kAnyone);
+
+  /// Goes on by about this many steps, each of about a microsecond (reading a snapshot of the plane
+  /// without proving it takes three); `isDone` tells whether that was all. Errors: kOutOfMemory,
+  /// kCorruptSnapshot, and then again, whatever memory there is.
   [[nodiscard]] Error advance(std::size_t steps, bool& isDone);
 
   /// How much of the work is done, from 0 to 1; never falls.

@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <limits>
+#include <vector>
 
 #include "support/building.h"
 #include "support/effort.h"
@@ -66,6 +68,57 @@ TYPED_TEST(BuilderOn, MovedGoesOnWhereItWasAndIsDoneOnce) {
   Random random(464);
   const Triples triples = TypeParam::sites(random, 300);
   expectMovedAndDoneOnce<typename TestFixture::Builder>(triples, madeOf<TypeParam>(triples));
+}
+
+TYPED_TEST(BuilderOn, ReadsASnapshotInSteps) {
+  Random random(465);
+  for (const auto& [name, triples] : TypeParam::sets(random, 200)) {
+    SCOPED_TRACE(name);
+    auto whole = madeOf<TypeParam>(triples);
+    for (SiteId id = 0; id < triples.size() / 3; id += 5) {
+      bool removed = false;
+      ASSERT_EQ(whole.remove(id, removed), Error::kNone);
+    }
+    for (const std::size_t steps : kLengths) {
+      typename TestFixture::Diagram diagram;
+      typename TestFixture::Builder builder(diagram);
+      ASSERT_EQ(builder.read(saved(whole)), Error::kNone);
+      finish(builder, steps);
+      bool isDone = false;
+      ASSERT_EQ(builder.advance(1, isDone), Error::kNone);
+      EXPECT_TRUE(isDone);
+      EXPECT_EQ(builder.progress(), 1);
+      ASSERT_EQ(saved(diagram), saved(whole));
+      ASSERT_NO_FATAL_FAILURE(expectValid(diagram));
+    }
+  }
+}
+
+TYPED_TEST(BuilderOn, ReadsNothingOfASnapshotThatIsGivenUpOrIsNone) {
+  Random random(466);
+  const auto whole = madeOf<TypeParam>(TypeParam::sites(random, 300));
+  std::vector<std::uint8_t> bytes = saved(whole);
+  typename TestFixture::Diagram diagram;
+  for (int most = 0; most < 40; ++most) {
+    typename TestFixture::Builder builder(diagram);
+    ASSERT_EQ(builder.read(bytes), Error::kNone);
+    bool isDone = false;
+    for (int k = 0; k < most && !isDone; ++k) ASSERT_EQ(builder.advance(5, isDone), Error::kNone);
+    ASSERT_FALSE(isDone);
+    ASSERT_EQ(diagram.size(), 0u);
+  }
+  for (const std::size_t at : {std::size_t{3}, bytes.size() / 2, bytes.size() - 1}) {
+    std::vector<std::uint8_t> wrong = bytes;
+    wrong[at] ^= 1;
+    typename TestFixture::Builder builder(diagram);
+    ASSERT_EQ(builder.read(wrong), Error::kNone);
+    bool isDone = false;
+    for (int again = 0; again < 3; ++again) {
+      EXPECT_EQ(builder.advance(SIZE_MAX, isDone), Error::kCorruptSnapshot);
+      EXPECT_FALSE(isDone);
+    }
+    EXPECT_EQ(diagram.size(), 0u);
+  }
 }
 
 TYPED_TEST(BuilderOn, RefusesWhatIsNoSite) {

@@ -40,7 +40,7 @@ function documented(className, name) {
   for (const one of [other, that])
     if (one) documented(className, one).forEach((inherited) => codes.add(inherited));
   if (className === "Voronoi") {
-    if (/\bid: number/.test(member.code)) codes.add("unknown-site");
+    if (/\w\(id: number/.test(member.code)) codes.add("unknown-site");
     if (/\boptions\?/.test(member.code) && !text.includes("Throws"))
       codes.add("not-finite").add("out-of-range").add("bad-option");
   }

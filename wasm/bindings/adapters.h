@@ -18,6 +18,7 @@
 
 using apollonius::Error;
 using apollonius::SiteId;
+using apollonius::Source;
 using emscripten::val;
 
 // `AnyDiagram` is a Diagram or a SphericalDiagram.
@@ -172,6 +173,11 @@ void addTo(AnyDiagram&, AnyBuilder& builder, const NumbersIn& sites) {
   check(builder.add(vectorOf<double>(sites)));
 }
 
+template <class AnyBuilder, class AnyDiagram>
+void readInto(AnyDiagram&, AnyBuilder& builder, const NumbersIn& bytes, Source source) {
+  check(builder.read(vectorOf<std::uint8_t>(bytes), source));
+}
+
 /// Is that all?
 template <class AnyBuilder, class AnyDiagram>
 bool advance(AnyDiagram&, AnyBuilder& builder, std::size_t steps) {
@@ -216,6 +222,7 @@ emscripten::class_<AnyDiagram> registerDiagram(const char* name, const char* nam
       .function("clear", &AnyDiagram::clear)
       .function("builder", &builder<AnyBuilder, AnyDiagram>, allow_raw_pointers(), moved)
       .function("addTo", &addTo<AnyBuilder, AnyDiagram>)
+      .function("readInto", &readInto<AnyBuilder, AnyDiagram>)
       .function("advance", &advance<AnyBuilder, AnyDiagram>)
       .function("size", &AnyDiagram::size)
       .function("visibleSize", &AnyDiagram::visibleSize)

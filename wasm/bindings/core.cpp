@@ -21,7 +21,6 @@ using apollonius::Builder;
 using apollonius::Circle;
 using apollonius::Diagram;
 using apollonius::NearestFirst;
-using apollonius::Source;
 using apollonius::Top;
 
 /// What the C++ runtime calls where an exception leaves what must not throw; nothing of ours does.
@@ -39,10 +38,6 @@ void insertMany(Diagram& diagram, const NumbersIn& xyr, const NumbersOut& ids) {
   std::vector<SiteId> inserted;
   check(diagram.insertMany(vectorOf<double>(xyr), inserted));
   ids.call<void>("set", viewOf(inserted));
-}
-
-void fromBytes(Diagram& diagram, const NumbersIn& bytes, Source source) {
-  check(diagram.fromBytes(vectorOf<std::uint8_t>(bytes), source));
 }
 
 }  // namespace
@@ -129,8 +124,7 @@ EMSCRIPTEN_BINDINGS(core) {
       .function("insertMany", &insertMany)
       .function("search", returning<&Diagram::search>())
       .function("hull", returning<&Diagram::hull>())
-      .function("levels", returning<&Diagram::levels>())
-      .function("fromBytes", &fromBytes);
+      .function("levels", returning<&Diagram::levels>());
 
   if (areTypesWritten()) {
     registerShapes();

@@ -30,10 +30,6 @@ void insertIntoSphere(SphericalDiagram& diagram, const NumbersIn& sites, const N
   ids.call<void>("set", viewOf(inserted));
 }
 
-void sphereFromBytes(SphericalDiagram& diagram, const NumbersIn& bytes) {
-  check(diagram.fromBytes(vectorOf<std::uint8_t>(bytes)));
-}
-
 std::vector<double> cellAreas(const SphericalDiagram& diagram, const NumbersIn& distances) {
   std::vector<double> areas;
   check(diagram.cellAreas(vectorOf<double>(distances), areas));
@@ -113,6 +109,5 @@ void registerSphere() {
       .function("cellPolygon", returning<&SphericalDiagram::cellPolygon>(), moved)
       .function("cellPolygons", &cellPolygons, moved)
       .function("naturalWeights", &naturalWeights)
-      .function("interpolate", &interpolate)
-      .function("fromBytes", &sphereFromBytes);
+      .function("interpolate", &interpolate);
 }

@@ -32,6 +32,8 @@ import {
   ofCell,
 } from "./refusals.mjs";
 
+const kInk = { moveTo() {}, lineTo() {}, bezierCurveTo() {}, closePath() {} };
+
 export const diagramCalls = {
   constructor: {
     use: () => new Diagram([1, 2, 3]),
@@ -368,9 +370,13 @@ export const voronoiCalls = {
   },
   renderCells: {
     use: inWindow((v) => v.renderCells()),
-    refuses: [tolerance, digits, unknownOption].flatMap((wrong) =>
-      wrong(inWindow((v, options) => v.renderCells(options))),
-    ),
+    refuses: [
+      ...[tolerance, digits, unknownOption].flatMap((wrong) =>
+        wrong(inWindow((v, options) => v.renderCells(options))),
+      ),
+      ["bad-option", inWindow((v) => v.renderCells({}, () => {})), "context is an object without"],
+      ["bad-option", inWindow((v) => v.renderCells(kInk, 7)), "each is 7, expected a function"],
+    ],
   },
   ...Object.fromEntries(
     ["cellPolygon", "cellParts"].map((name) => [

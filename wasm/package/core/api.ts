@@ -9,6 +9,7 @@ export type { DrawOptions, PathContext } from "./path.js";
 export type { Triangulation } from "./triangulation.js";
 export type {
   AsyncOptions,
+  AsyncSnapshotOptions,
   Bounds,
   BuildOptions,
   Edges,

@@ -2,14 +2,15 @@
 // turn.
 import { ApolloniusError } from "../errors.js";
 import type { Reader } from "./accessors.js";
-import { described } from "./arguments.js";
+import { checkedBytes, described } from "./arguments.js";
 import type { DynamicDiagram } from "./dynamic_diagram.js";
 import { innerOf } from "./inner.js";
-import type { Builder, NativeDiagram } from "./native/module.js";
+import { type Builder, type NativeDiagram, runningModule } from "./native/module.js";
 import type { AsyncOptions } from "./types.js";
 
 const kSlice = 8; // milliseconds
 const kItems = 256; // read, or inserted, between two looks at the clock
+const kAll = 2 ** 32 - 1; // steps
 const kReading = 0.1; // of the whole work, about
 
 /** A turn of the event loop, without the four milliseconds that timers wait for in browsers. */
@@ -71,34 +72,80 @@ function badOption(name: string, value: unknown, expected: string): ApolloniusEr
 }
 
 /** Fills an empty diagram of the plane or the sphere with items; disposes of it if that fails. */
-export async function buildOrDispose(
+export function buildOrDispose(
   diagram: DynamicDiagram<unknown>,
   items: Reader,
   options: AsyncOptions,
 ): Promise<void> {
+  const { count } = items;
+  return inSlices(diagram, options, count, kReading, async (native, builder, slices) => {
+    for (let from = 0; from < count; from += kItems) {
+      native.addTo(builder, items.triples(from, Math.min(from + kItems, count)));
+      if (slices.isOver) await slices.next((kReading * from) / count);
+    }
+  });
+}
+
+/** Makes an empty diagram what a snapshot has saved. */
+export function restore(diagram: DynamicDiagram<unknown>, bytes: unknown, isTrusted: boolean) {
+  const { native, ballast, builder } = builderOf(diagram, 0);
   try {
-    const { native, ballast } = innerOf(diagram);
-    await build(native as NativeDiagram, items, options); // the sphere has the same calls
-    ballast.carry(items.count);
+    give(native, builder, bytes, isTrusted);
+    while (!native.advance(builder, kAll)) {}
+  } finally {
+    builder.delete();
+  }
+  ballast.carry(native.size());
+}
+
+/** The same in slices; disposes of the diagram if that fails. */
+export function restoreOrDispose(
+  diagram: DynamicDiagram<unknown>,
+  bytes: unknown,
+  isTrusted: boolean,
+  options: AsyncOptions,
+): Promise<void> {
+  return inSlices(diagram, options, 0, 0, async (native, builder) =>
+    give(native, builder, bytes, isTrusted),
+  );
+}
+
+function give(native: NativeDiagram, builder: Builder, bytes: unknown, isTrusted: boolean): void {
+  const source = runningModule().Source[isTrusted ? "trusted" : "anyone"];
+  native.readInto(builder, checkedBytes("bytes", bytes), source);
+}
+
+/** The inside of a diagram, and a builder for so many items; the sphere has the same calls. */
+function builderOf(diagram: DynamicDiagram<unknown>, count: number) {
+  const { native: any, ballast } = innerOf(diagram);
+  const native = any as NativeDiagram;
+  return { native, ballast, builder: native.builder(count) as Builder };
+}
+
+/** Gives a builder its work, which takes that share of the time, and has it done. */
+async function inSlices(
+  diagram: DynamicDiagram<unknown>,
+  options: AsyncOptions,
+  count: number,
+  share: number,
+  begin: (native: NativeDiagram, builder: Builder, slices: Slices) => Promise<void>,
+): Promise<void> {
+  try {
+    const slices = new Slices(options);
+    const { native, ballast, builder } = builderOf(diagram, count);
+    try {
+      await begin(native, builder, slices);
+      if (slices.isOver) await slices.next(share);
+      while (!native.advance(builder, kItems)) {
+        if (slices.isOver) await slices.next(share + (1 - share) * builder.progress());
+      }
+      await slices.next(1);
+    } finally {
+      builder.delete();
+    }
+    ballast.carry(native.size());
   } catch (error) {
     diagram.dispose();
     throw error;
-  }
-}
-
-async function build(native: NativeDiagram, items: Reader, options: AsyncOptions): Promise<void> {
-  const slices = new Slices(options);
-  const builder = native.builder(items.count) as Builder;
-  try {
-    for (let from = 0; from < items.count; from += kItems) {
-      native.addTo(builder, items.triples(from, Math.min(from + kItems, items.count)));
-      if (slices.isOver) await slices.next((kReading * from) / items.count);
-    }
-    while (!native.advance(builder, kItems)) {
-      if (slices.isOver) await slices.next(kReading + (1 - kReading) * builder.progress());
-    }
-    await slices.next(1);
-  } finally {
-    builder.delete();
   }
 }

@@ -100,6 +100,9 @@ export interface SnapshotOptions {
   trusted?: boolean | undefined;
 }
 
+/** Options of `Diagram.fromBytesAsync`. */
+export interface AsyncSnapshotOptions extends SnapshotOptions, AsyncOptions {}
+
 /** Options of `within`, `search` and `farthest`. */
 export interface FilterOptions {
   /**

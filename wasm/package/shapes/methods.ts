@@ -4,7 +4,13 @@
 import type { Accessor, Circular, Items } from "../core/accessors.js";
 import { Diagram as Core } from "../core/diagram.js";
 import type { DrawOptions, PathContext } from "../core/path.js";
-import type { BuildOptions, Edges, RadiusOption, SnapshotOptions } from "../core/types.js";
+import type {
+  AsyncSnapshotOptions,
+  BuildOptions,
+  Edges,
+  RadiusOption,
+  SnapshotOptions,
+} from "../core/types.js";
 import {
   edges,
   render,
@@ -85,7 +91,8 @@ export interface Diagram extends Core {
 }
 
 /** The class of these diagrams. Its calls are those of `apollonius-diagram/core`. */
-export interface DiagramClass extends Pick<typeof Core, "from" | "fromAsync" | "fromBytes"> {
+export interface DiagramClass
+  extends Pick<typeof Core, "from" | "fromAsync" | "fromBytes" | "fromBytesAsync"> {
   /**
    * A diagram of flat x, y, r triples, or with the option `r` of x, y pairs; their ids are 0, 1, 2,
    * … in input order. Cost: expected O(n log n). Throws "not-finite", "out-of-range", "bad-length"
@@ -120,6 +127,7 @@ export interface DiagramClass extends Pick<typeof Core, "from" | "fromAsync" | "
   ): Promise<Diagram>;
   fromAsync(xyr: ArrayLike<number>, options?: BuildOptions): Promise<Diagram>;
   fromBytes(bytes: Uint8Array | ArrayBuffer, options?: SnapshotOptions): Diagram;
+  fromBytesAsync(bytes: Uint8Array | ArrayBuffer, options?: AsyncSnapshotOptions): Promise<Diagram>;
 }
 
 const methods = {

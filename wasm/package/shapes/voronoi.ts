@@ -232,10 +232,10 @@ export class Voronoi implements Disposable {
   /**
    * All cells, drawn one after the other as `renderCell` draws them: `each(id)` fills or strokes
    * the cell that has just been drawn. Before each cell, `context.beginPath()` is called if the
-   * context has it. Or, without a context, the paths of all cells by id: null for ids without a cell
-   * in the window. Where `digits` is left open, the numbers of these have as many decimal places as
-   * the tolerance needs, 2 for d3-delaunay's window of 960 x 500: rounding moves nothing by more
-   * than an eighth of it. O(n), several times as fast as a loop.
+   * context has it. Or, without a context, the paths of all cells by id: null for ids without a
+   * cell in the window. Where `digits` is left open, the numbers of these have as many decimal
+   * places as the tolerance needs, 2 for d3-delaunay's window of 960 x 500: rounding moves nothing
+   * by more than an eighth of it. O(n), several times as fast as a loop.
    */
   renderCells(context: PathContext, each: (id: number) => void, options?: DrawOptions): void;
   renderCells(options?: DrawOptions): (string | null)[];

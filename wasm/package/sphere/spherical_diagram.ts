@@ -1,11 +1,11 @@
 import { type Accessor, accessorsAndOptions, type Items, readerOf } from "../core/accessors.js";
-import { checkedBytes, checkOptions } from "../core/arguments.js";
-import { buildOrDispose } from "../core/building.js";
+import { checkOptions } from "../core/arguments.js";
+import { buildOrDispose, restore, restoreOrDispose } from "../core/building.js";
 import { fillOrDispose } from "../core/native/lifetime.js";
 import { runningModule } from "../core/native/module.js";
 import { SurfaceDiagram } from "../core/surface_diagram.js";
 import { trianglesOf } from "../core/triangulation.js";
-import type { Edges } from "../core/types.js";
+import type { AsyncOptions, Edges } from "../core/types.js";
 import { isWithClearance } from "../shapes/edges.js";
 import type { EdgeOptions, ViewOptions } from "../shapes/types.js";
 import { checkedRadius, itemsOf, places, sphere, sphericalOf } from "./spherical_arguments.js";
@@ -144,11 +144,23 @@ export class SphericalDiagram extends SurfaceDiagram<Sphere> {
    */
   static fromBytes(bytes: Uint8Array | ArrayBuffer): SphericalDiagram {
     const diagram = new SphericalDiagram();
-    fillOrDispose(diagram, () => {
-      const { native, ballast } = sphericalOf(diagram);
-      native.fromBytes(checkedBytes("bytes", bytes));
-      ballast.carry(native.size());
-    });
+    fillOrDispose(diagram, () => restore(diagram, bytes, false));
+    return diagram;
+  }
+
+  /**
+   * `fromBytes` in slices of some 8 ms on this thread, between which pages answer and timers run.
+   * Not cut are the copy of the bytes and the steps that `fromAsync` does not cut. Rejects as
+   * `fromBytes` throws; with the reason of `options.signal` once that aborts; with what
+   * `onProgress` throws. Cost: that of `fromBytes`.
+   */
+  static async fromBytesAsync(
+    bytes: Uint8Array | ArrayBuffer,
+    options?: AsyncOptions,
+  ): Promise<SphericalDiagram> {
+    checkOptions(options, "signal", "onProgress");
+    const diagram = new SphericalDiagram();
+    await restoreOrDispose(diagram, bytes, false, options ?? {});
     return diagram;
   }
 
