@@ -158,7 +158,7 @@ export class Diagram extends SurfaceDiagram<Plane> {
 
   /**
    * `fromBytes` in slices of some 8 ms on this thread, between which pages answer and timers run.
-   * Not cut are the copy of the bytes and three steps that read them, which take up to 100 ms for a
+   * Not cut are the copy of the bytes and three steps that read them, which take up to 150 ms for a
    * million sites; the verification, most of the work, is. Rejects as `fromBytes` throws; with the
    * reason of `options.signal` once that aborts; with what `onProgress` throws. Cost: that of
    * `fromBytes`.
