@@ -66,7 +66,7 @@ enum class Top : std::uint8_t { kSmallest, kLast };
 /// All sites, hidden ones too; row k of each array belongs to the k-th of them, ascending by id.
 struct SiteArrays {
   std::vector<SiteId> ids;
-  std::vector<double> xyr;           ///< x, y, r of each site, exactly as given
+  std::vector<double> xyr;           ///< x, y, r of each site, as they were taken
   std::vector<std::uint8_t> hidden;  ///< 1 for a site without a cell, else 0
 };
 
