@@ -55,9 +55,10 @@ Error AreaFit::begin(const Diagram& diagram, const Region& region, std::span<con
       if (!isInRange(targets[id]) || !(targets[id] > 0)) return refuse(id);
       wanted.push_back(targets[id]);
       if (start.empty()) continue;
-      error = checkNumber(start[id]);
+      double weight = start[id];
+      error = takeNumber(weight);
       if (error != Error::kNone) return;
-      from.push_back(start[id]);
+      from.push_back(weight);
     }
     const std::uint32_t empty = state_->fit.begin(wanted, from);
     if (empty != AreaFitter::kNone) return refuse(ids[empty]);

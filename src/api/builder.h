@@ -65,7 +65,7 @@ Error BuilderOf<AnyDiagram>::add(std::span<const double> sites) {
   const Error error = internal::firstOf(internal::checkLength(sites.size() % 3 == 0),
                                         checkSites(work_->core(), sites),
                                         internal::checkRoom(sites.size() / 3, work_->size()));
-  return guarded(work_->core(), error, [&] { work_->add(sites); });
+  return guarded(work_->core(), error, [&] { work_->add(internal::TakenNumbers(sites)); });
 }
 
 template <class AnyDiagram>

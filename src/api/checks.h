@@ -1,5 +1,5 @@
-// What every call of the public interface does before and after its work: checks numbers, and
-// translates lack of memory into an error.
+// What every call of the public interface does before and after its work: checks numbers, takes
+// those as 0 that are too small, and translates lack of memory into an error.
 #pragma once
 
 #include <cstddef>
@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "apollonius/diagram.h"
+#include "base/flat_array.h"
 #include "diagram/diagram_core.h"
 
 namespace apollonius::internal {
@@ -17,14 +18,33 @@ inline Error firstOf(Error a, Error b, Error c = Error::kNone) {
   return a != Error::kNone ? a : b != Error::kNone ? b : c;
 }
 
-[[nodiscard]] Error checkNumber(double value);
+/// Checks a number of a call, and takes it (types.h).
+[[nodiscard]] Error takeNumber(double& value);
+/// Checks numbers that TakenNumbers takes.
 [[nodiscard]] Error checkNumbers(std::span<const double> values);
 
-/// Checks a distance beyond which nothing is looked for, infinite if there is none.
-[[nodiscard]] Error checkLimit(double maxDistance);
+/// Numbers of a call, taken. A copy if one of them becomes 0.
+class TakenNumbers {
+ public:
+  /// Throws std::bad_alloc. REQUIRES: the given ones are there as long as this one.
+  explicit TakenNumbers(std::span<const double> given);
+  TakenNumbers(const TakenNumbers&) = delete;
+  TakenNumbers& operator=(const TakenNumbers&) = delete;
 
-inline Error checkPick(double maxDistance) {
-  return firstOf(checkLimit(maxDistance), maxDistance < 0 ? Error::kOutOfRange : Error::kNone);
+  // NOLINTNEXTLINE(google-explicit-constructor): they are what was given
+  operator std::span<const double>() const { return numbers_; }
+
+ private:
+  FlatArray<double> copy_;
+  std::span<const double> numbers_;
+};
+
+/// Takes a distance beyond which nothing is looked for, infinite if there is none.
+[[nodiscard]] Error takeLimit(double& maxDistance);
+
+inline Error takePick(double& maxDistance) {
+  const Error error = takeLimit(maxDistance);
+  return firstOf(error, maxDistance < 0 ? Error::kOutOfRange : Error::kNone);
 }
 
 inline Error checkLength(bool isGood) { return isGood ? Error::kNone : Error::kBadLength; }
@@ -52,8 +72,8 @@ Error checkIds(const AnyDiagram& diagram, std::span<const SiteId> ids) {
 
 // What the sphere (spherical_checks.h) checks in another way.
 
-inline Error checkPoint(const DiagramCore&, double x, double y) {
-  return firstOf(checkNumber(x), checkNumber(y));
+inline Error takePoint(const DiagramCore&, double& x, double& y) {
+  return firstOf(takeNumber(x), takeNumber(y));
 }
 /// x, y pairs.
 inline Error checkPoints(const DiagramCore&, std::span<const double> xy) {

@@ -27,8 +27,8 @@ using namespace internal;
 
 namespace {
 
-Error checkCircle(double x, double y, double r) {
-  return firstOf(checkNumber(x), checkNumber(y), checkNumber(r));
+Error takeCircle(double& x, double& y, double& r) {
+  return firstOf(takeNumber(x), takeNumber(y), takeNumber(r));
 }
 
 }  // namespace
@@ -51,7 +51,7 @@ Diagram& Diagram::operator=(Diagram&&) noexcept = default;
 
 Error Diagram::insert(double x, double y, double r, SiteId& id) {
   change();
-  return guarded(*core_, firstOf(checkCircle(x, y, r), checkRoom(1, size())),
+  return guarded(*core_, firstOf(takeCircle(x, y, r), checkRoom(1, size())),
                  [&] { id = core_->insert({x, y, r}); });
 }
 
@@ -61,7 +61,7 @@ Error Diagram::insertMany(std::span<const double> xyr, std::span<SiteId> ids) {
                               checkRoom(ids.size(), size()));
   return guarded(*core_, error, [&] {
     // Of none, without making the room that any insertion needs.
-    if (!ids.empty()) insertAll(*core_, xyr, ids);
+    if (!ids.empty()) insertAll(*core_, TakenNumbers(xyr), ids);
   });
 }
 
@@ -72,6 +72,7 @@ Error Diagram::insertMany(std::vector<double>&& xyr, std::vector<SiteId>& ids) {
       firstOf(checkLength(xyr.size() == 3 * count), checkNumbers(xyr), checkRoom(count, size()));
   return guarded(*core_, error, [&] {
     if (count == 0) return ids.clear();
+    for (double& number : xyr) number = taken(number);
     BulkInsertion insertion(*core_);
     insertion.stage(xyr);
     std::vector<double>().swap(xyr);
@@ -92,7 +93,7 @@ Error Diagram::removeMany(std::span<const SiteId> ids, std::size_t& removed) {
 
 Error Diagram::update(SiteId id, double x, double y, double r) {
   change();
-  return guarded(*core_, firstOf(checkIds(*this, {&id, 1}), checkCircle(x, y, r)),
+  return guarded(*core_, firstOf(checkIds(*this, {&id, 1}), takeCircle(x, y, r)),
                  [&] { core_->update(id, {x, y, r}); });
 }
 
@@ -100,7 +101,7 @@ Error Diagram::updateMany(std::span<const SiteId> ids, std::span<const double> x
   change();
   const Error error =
       firstOf(checkLength(xyr.size() == 3 * ids.size()), checkIds(*this, ids), checkNumbers(xyr));
-  return guarded(*core_, error, [&] { core_->updateMany(ids, xyr); });
+  return guarded(*core_, error, [&] { core_->updateMany(ids, TakenNumbers(xyr)); });
 }
 
 void Diagram::clear() noexcept {
@@ -160,7 +161,7 @@ Error Diagram::find(double x, double y, SiteId& id, double& distance) const {
 }
 
 Error Diagram::find(double x, double y, double maxDistance, SiteId& id) const {
-  return guarded(*core_, firstOf(checkPoint(*core_, x, y), checkLimit(maxDistance)), [&] {
+  return guarded(*core_, firstOf(takePoint(*core_, x, y), takeLimit(maxDistance)), [&] {
     const Slot nearest = Plane(*core_).nearest({x, y});
     id = idOrNone(*core_, orNone(*core_, nearest, x, y, maxDistance));
   });
@@ -168,38 +169,40 @@ Error Diagram::find(double x, double y, double maxDistance, SiteId& id) const {
 
 Error Diagram::find(double x, double y, double maxDistance, SiteId& id, double& distance) const {
   if (const Error error = find(x, y, maxDistance, id); error != Error::kNone) return error;
-  distance = distanceTo(*core_, core_->ids().slotOf(id), x, y);
+  distance = distanceTo(*core_, core_->ids().slotOf(id), taken(x), taken(y));
   return Error::kNone;
 }
 
 Error Diagram::findMany(std::span<const double> xy, double maxDistance, std::span<SiteId> ids,
                         std::span<double> distances) const {
   const Error error =
-      firstOf(checkResults(xy, ids, distances), checkPoints(*core_, xy), checkLimit(maxDistance));
-  return guarded(*core_, error, [&] { listNearest(*core_, xy, maxDistance, ids, distances); });
+      firstOf(checkResults(xy, ids, distances), checkPoints(*core_, xy), takeLimit(maxDistance));
+  return guarded(*core_, error,
+                 [&] { listNearest(*core_, TakenNumbers(xy), maxDistance, ids, distances); });
 }
 
 Error Diagram::kNearest(double x, double y, std::size_t k, double maxDistance,
                         std::vector<SiteId>& sites) const {
-  return guarded(*core_, firstOf(checkPoint(*core_, x, y), checkLimit(maxDistance)),
+  return guarded(*core_, firstOf(takePoint(*core_, x, y), takeLimit(maxDistance)),
                  [&] { listNearby(*core_, x, y, k, maxDistance, sites); });
 }
 
 Error Diagram::kNearestMany(std::span<const double> xy, std::size_t k, double maxDistance,
                             bool withDistances, NearbyLists& lists) const {
   const Error error =
-      firstOf(checkLength(xy.size() % 2 == 0), checkPoints(*core_, xy), checkLimit(maxDistance));
-  return guarded(*core_, error,
-                 [&] { listNearbyMany(*core_, xy, k, maxDistance, withDistances, lists); });
+      firstOf(checkLength(xy.size() % 2 == 0), checkPoints(*core_, xy), takeLimit(maxDistance));
+  return guarded(*core_, error, [&] {
+    listNearbyMany(*core_, TakenNumbers(xy), k, maxDistance, withDistances, lists);
+  });
 }
 
 Error Diagram::pick(double x, double y, double maxDistance, Top top, SiteId& id) const {
-  return guarded(*core_, firstOf(checkPoint(*core_, x, y), checkPick(maxDistance)),
+  return guarded(*core_, firstOf(takePoint(*core_, x, y), takePick(maxDistance)),
                  [&] { id = topmost(NearbySearch(Plane(*core_), {x, y}, maxDistance), top); });
 }
 
 Error Diagram::farthest(double x, double y, SiteId& id, double& distance) const {
-  return guarded(*core_, checkPoint(*core_, x, y), [&] {
+  return guarded(*core_, takePoint(*core_, x, y), [&] {
     const Slot slot = farthestSite(*core_, x, y);
     id = idOrNone(*core_, slot);
     distance = slot == kNoSlot ? -std::numeric_limits<double>::infinity()
@@ -209,8 +212,10 @@ Error Diagram::farthest(double x, double y, SiteId& id, double& distance) const 
 
 Error Diagram::search(double xmin, double ymin, double xmax, double ymax,
                       std::vector<SiteId>& sites) const {
-  const double bounds[] = {xmin, ymin, xmax, ymax};
-  const bool isGood = checkNumbers(bounds) == Error::kNone && xmin <= xmax && ymin <= ymax;
+  bool isGood = true;
+  for (double* bound : {&xmin, &ymin, &xmax, &ymax})
+    isGood = takeNumber(*bound) == Error::kNone && isGood;
+  isGood = isGood && xmin <= xmax && ymin <= ymax;
   return guarded(*core_, isGood ? Error::kNone : Error::kBadBounds,
                  [&] { listMeeting(*core_, xmin, ymin, xmax, ymax, sites); });
 }
@@ -221,8 +226,8 @@ Error Diagram::neighbors(SiteId id, std::vector<SiteId>& neighbors) const {
 
 Error Diagram::conflict(double x, double y, double r, std::vector<SiteId>& sites,
                         bool& isCovered) const {
-  return guarded(*core_, checkCircle(x, y, r),
-                 [&] { listConflict(*core_, normalized({x, y, r}), sites, isCovered); });
+  return guarded(*core_, takeCircle(x, y, r),
+                 [&] { listConflict(*core_, {x, y, r}, sites, isCovered); });
 }
 
 Error Diagram::vertices(VertexArrays& vertices) const {

@@ -17,7 +17,7 @@ NearestFirstOf<AnyDiagram>::NearestFirstOf(NearestFirstOf&&) noexcept = default;
 template <class AnyDiagram>
 Error NearestFirstOf<AnyDiagram>::start(double x, double y, double maxDistance) {
   const auto& core = *diagram_->core_;
-  const Error error = internal::firstOf(checkPoint(core, x, y), internal::checkLimit(maxDistance));
+  const Error error = internal::firstOf(takePoint(core, x, y), internal::takeLimit(maxDistance));
   return guarded(core, error, [&] { search_ = std::make_unique<Search>(core, x, y, maxDistance); });
 }
 

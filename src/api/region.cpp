@@ -1,12 +1,12 @@
 // Region: checks rings, and turns lack of memory into an error.
 #include "apollonius/region.h"
 
-#include <algorithm>
 #include <cmath>
 #include <new>
 #include <stdexcept>
 #include <utility>
 
+#include "api/checks.h"
 #include "api/region_state.h"
 #include "number/sum.h"
 
@@ -23,7 +23,7 @@ bool areGood(std::span<const double> coordinates, std::span<const std::uint32_t>
   for (std::size_t k = 1; k < starts.size(); ++k) {
     if (starts[k] < starts[k - 1] || starts[k] - starts[k - 1] < 3) return false;
   }
-  return std::all_of(coordinates.begin(), coordinates.end(), isInRange);
+  return checkNumbers(coordinates) == Error::kNone;
 }
 
 double insideOf(const NormalizedPolygon& polygon) {
@@ -43,7 +43,7 @@ Error Region::assign(std::span<const double> coordinates, std::span<const std::u
   if (!areGood(coordinates, starts)) return Error::kBadBounds;
   try {
     auto state = std::make_unique<RegionState>();
-    state->polygon = normalizePolygon(coordinates, starts);
+    state->polygon = normalizePolygon(TakenNumbers(coordinates), starts);
     state->area = insideOf(state->polygon);
     if (!(state->area > 0)) return Error::kBadBounds;
     state_ = std::move(state);
@@ -78,7 +78,8 @@ Error Region::draw(Path& path) const {
 }
 
 bool Region::contains(double x, double y) const noexcept {
-  return state_ != nullptr && std::isfinite(x) && std::isfinite(y) && state_->polygon.holds({x, y});
+  return state_ != nullptr && std::isfinite(x) && std::isfinite(y) &&
+         state_->polygon.holds({taken(x), taken(y)});
 }
 
 double Region::area() const noexcept { return state_ == nullptr ? 0 : state_->area; }

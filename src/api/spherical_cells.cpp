@@ -52,7 +52,7 @@ void copyRings(const LonLatRings& rings, Arrays& arrays) {
 Error SphericalDiagram::distancesError(std::span<const double> distances) const {
   for (const double distance : distances) {
     if (std::isnan(distance)) return Error::kNotFinite;
-    if (distance != kEverywhere && !isInRange(distance)) return Error::kOutOfRange;
+    if (distance != kEverywhere && !isInRange(taken(distance))) return Error::kOutOfRange;
   }
   return checkLength(distances.size() <= 1 || distances.size() == idLimit());
 }
@@ -69,11 +69,11 @@ Error SphericalDiagram::cellNeighbors(SiteId id, std::vector<SiteId>& neighbors,
 
 Error SphericalDiagram::contains(SiteId id, double lon, double lat, double distance,
                                  bool& inside) const {
-  const Error error = firstOf(cellError(id, distance), checkPoint(*core_, lon, lat));
+  const Error error = firstOf(cellError(id, distance), takePoint(*core_, lon, lat));
   return guarded(*core_, error, [&] {
     const ProjectedDiagram& diagram = core_->projected();
     const Direction point = directionOf({lon, lat});
-    inside = !diagram.isHidden(id) && distanceTo(core_->sites(), id, point) <= distance &&
+    inside = !diagram.isHidden(id) && distanceTo(core_->sites(), id, point) <= taken(distance) &&
              !(internal::sphere::distance(point, diagram.cap(nearestNode(diagram, point))) <
                internal::sphere::distance(point, diagram.cap(diagram.nodeOf(id))));
   });
@@ -186,7 +186,7 @@ Error SphericalDiagram::cellPolygons(double tolerance, bool isCut,
 
 Error SphericalDiagram::naturalWeights(double lon, double lat, double r,
                                        NaturalWeights& found) const {
-  const Error error = firstOf(checkPoint(*core_, lon, lat), checkWeight(*core_, r));
+  const Error error = firstOf(takePoint(*core_, lon, lat), takeWeight(*core_, r));
   return guarded(*core_, error, [&] {
     const ProjectedDiagram& diagram = core_->projected();
     found = {};
@@ -203,9 +203,10 @@ Error SphericalDiagram::interpolate(std::span<const double> values, std::span<co
                                     double r, std::span<double> results) const {
   const bool areLengthsGood = values.size() == idLimit() && lonLat.size() == 2 * results.size();
   const Error error =
-      firstOf(checkLength(areLengthsGood), checkWeight(*core_, r), checkPoints(*core_, lonLat));
+      firstOf(checkLength(areLengthsGood), takeWeight(*core_, r), checkPoints(*core_, lonLat));
   return guarded(*core_, error, [&] {
-    internal::sphere::interpolate(core_->projected(), values, lonLat, r / radius(), results);
+    internal::sphere::interpolate(core_->projected(), values, TakenNumbers(lonLat), r / radius(),
+                                  results);
   });
 }
 

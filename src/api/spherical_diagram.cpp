@@ -57,7 +57,7 @@ Error SphericalDiagram::insert(double lon, double lat, double r, SiteId& id) {
 Error SphericalDiagram::insertMany(std::span<const double> sites, std::span<SiteId> ids) {
   const Error error = firstOf(checkLength(sites.size() == 3 * ids.size()),
                               checkSites(*core_, sites), checkRoom(ids.size(), size()));
-  return guarded(*core_, error, [&] { core_->insertMany(sites, ids); });
+  return guarded(*core_, error, [&] { core_->insertMany(TakenNumbers(sites), ids); });
 }
 
 Error SphericalDiagram::remove(SiteId id, bool& removed) {
@@ -76,7 +76,7 @@ Error SphericalDiagram::update(SiteId id, double lon, double lat, double r) {
 Error SphericalDiagram::updateMany(std::span<const SiteId> ids, std::span<const double> sites) {
   const Error error = firstOf(checkLength(sites.size() == 3 * ids.size()), checkIds(*this, ids),
                               checkSites(*core_, sites));
-  return guarded(*core_, error, [&] { core_->updateMany(ids, sites); });
+  return guarded(*core_, error, [&] { core_->updateMany(ids, TakenNumbers(sites)); });
 }
 
 void SphericalDiagram::clear() noexcept { core_->clear(); }
@@ -121,7 +121,7 @@ Error SphericalDiagram::coverOf(SiteId id, SiteId& cover) const {
 // --- Queries
 
 Error SphericalDiagram::find(double lon, double lat, SiteId& id) const {
-  return guarded(*core_, checkPoint(*core_, lon, lat),
+  return guarded(*core_, takePoint(*core_, lon, lat),
                  [&] { id = Sphere(*core_).nearest(directionOf({lon, lat})); });
 }
 
@@ -136,7 +136,7 @@ Error SphericalDiagram::find(double lon, double lat, double maxDistance, SiteId&
 
 Error SphericalDiagram::find(double lon, double lat, double maxDistance, SiteId& id,
                              double& distance) const {
-  return guarded(*core_, firstOf(checkPoint(*core_, lon, lat), checkLimit(maxDistance)), [&] {
+  return guarded(*core_, firstOf(takePoint(*core_, lon, lat), takeLimit(maxDistance)), [&] {
     const Direction point = directionOf({lon, lat});
     id = Sphere(*core_).nearest(point);
     distance = limitedDistance(*core_, point, maxDistance, id);
@@ -144,7 +144,7 @@ Error SphericalDiagram::find(double lon, double lat, double maxDistance, SiteId&
 }
 
 Error SphericalDiagram::farthest(double lon, double lat, SiteId& id, double& distance) const {
-  return guarded(*core_, checkPoint(*core_, lon, lat), [&] {
+  return guarded(*core_, takePoint(*core_, lon, lat), [&] {
     const Direction opposite = -1 * directionOf({lon, lat});
     id = Sphere(*core_).nearest(opposite);
     // A way and the rest of it to the opposite point are half a great circle.
@@ -157,12 +157,14 @@ Error SphericalDiagram::farthest(double lon, double lat, SiteId& id, double& dis
 Error SphericalDiagram::findMany(std::span<const double> lonLat, double maxDistance,
                                  std::span<SiteId> ids, std::span<double> distances) const {
   const Error error = firstOf(checkResults(lonLat, ids, distances), checkPoints(*core_, lonLat),
-                              checkLimit(maxDistance));
+                              takeLimit(maxDistance));
   return guarded(*core_, error, [&] {
-    listNearest(core_->projected(), lonLat, ids);
+    const TakenNumbers numbers(lonLat);
+    const std::span<const double> points = numbers;
+    listNearest(core_->projected(), points, ids);
     if (distances.empty() && maxDistance == kEverywhere) return;
     for (std::size_t k = 0; k < ids.size(); ++k) {
-      const Direction point = directionOf({lonLat[2 * k], lonLat[2 * k + 1]});
+      const Direction point = directionOf({points[2 * k], points[2 * k + 1]});
       const double distance = limitedDistance(*core_, point, maxDistance, ids[k]);
       if (!distances.empty()) distances[k] = distance;
     }
@@ -171,7 +173,7 @@ Error SphericalDiagram::findMany(std::span<const double> lonLat, double maxDista
 
 Error SphericalDiagram::kNearest(double lon, double lat, std::size_t k, double maxDistance,
                                  std::vector<SiteId>& sites) const {
-  return guarded(*core_, firstOf(checkPoint(*core_, lon, lat), checkLimit(maxDistance)), [&] {
+  return guarded(*core_, firstOf(takePoint(*core_, lon, lat), takeLimit(maxDistance)), [&] {
     listNearby(NearbySearch(Sphere(*core_), directionOf({lon, lat}), maxDistance), k, sites);
   });
 }
@@ -180,14 +182,15 @@ Error SphericalDiagram::kNearestMany(std::span<const double> lonLat, std::size_t
                                      double maxDistance, bool withDistances,
                                      NearbyLists& lists) const {
   const Error error = firstOf(checkLength(lonLat.size() % 2 == 0), checkPoints(*core_, lonLat),
-                              checkLimit(maxDistance));
-  return guarded(*core_, error,
-                 [&] { listNearbyMany(*core_, lonLat, k, maxDistance, withDistances, lists); });
+                              takeLimit(maxDistance));
+  return guarded(*core_, error, [&] {
+    listNearbyMany(*core_, TakenNumbers(lonLat), k, maxDistance, withDistances, lists);
+  });
 }
 
 Error SphericalDiagram::pick(double lon, double lat, double maxDistance, Top top,
                              SiteId& id) const {
-  return guarded(*core_, firstOf(checkPoint(*core_, lon, lat), checkPick(maxDistance)), [&] {
+  return guarded(*core_, firstOf(takePoint(*core_, lon, lat), takePick(maxDistance)), [&] {
     id = topmost(NearbySearch(Sphere(*core_), directionOf({lon, lat}), maxDistance), top);
   });
 }

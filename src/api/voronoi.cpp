@@ -3,7 +3,6 @@
 #include "apollonius/voronoi.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -123,13 +122,8 @@ Bounds Voronoi::extentOf(const Diagram& diagram) {
       low -= pad;
       high += pad;
     }
-    const auto inRange = [](double x) {
-      return absolute(x) < kSmallestMagnitude
-                 ? 0.0
-                 : std::clamp(x, -kLargestMagnitude, kLargestMagnitude);
-    };
-    low = inRange(low);
-    high = inRange(high);
+    for (double* end : {&low, &high})
+      *end = std::clamp(taken(*end), -kLargestMagnitude, kLargestMagnitude);
   };
   widen(box.xmin, box.xmax);
   widen(box.ymin, box.ymax);
@@ -298,15 +292,14 @@ Error Voronoi::cellPerimeters(std::vector<double>& perimeters) const {
 }
 
 Error Voronoi::naturalWeights(double x, double y, double r, NaturalWeights& found) const {
-  const Error bad = checkNumbers(std::array{x, y, r});
+  const Error bad = firstOf(takeNumber(x), takeNumber(y), takeNumber(r));
   return clipped(firstOf(windowError(), bad), [&](const Clipping& clipping) {
     const DiagramCore& core = *diagram_.core_;
     found = {};
     if (core.visibleCount() == 0) return;
     const auto neighbors = clipping.naturalNeighbors();
     const VertexId start = vertexOf(core.nearest(x, y));
-    for (const auto& [site, weight] :
-         neighbors->find(normalized({x, y, r}), start, Centers::kAll)) {
+    for (const auto& [site, weight] : neighbors->find({x, y, r}, start, Centers::kAll)) {
       found.ids.push_back(core.siteOf(site));
       found.weights.push_back(weight);
     }
@@ -319,9 +312,9 @@ Error Voronoi::interpolate(std::span<const double> values, std::span<const doubl
   const bool areLengthsGood =
       values.size() == core.ids().idLimit() && xy.size() == 2 * results.size();
   const Error error = firstOf(windowError(), areLengthsGood ? Error::kNone : Error::kBadLength,
-                              firstOf(checkNumber(r), checkNumbers(xy)));
+                              firstOf(takeNumber(r), checkNumbers(xy)));
   return clipped(error, [&](const Clipping& clipping) {
-    internal::interpolate(core, *clipping.naturalNeighbors(), values, xy, r, results);
+    internal::interpolate(core, *clipping.naturalNeighbors(), values, TakenNumbers(xy), r, results);
   });
 }
 

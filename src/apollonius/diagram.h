@@ -37,7 +37,7 @@ namespace apollonius {
 enum class Error : std::uint8_t {
   kNone = 0,
   kNotFinite,    ///< a NaN or an infinity was given
-  kOutOfRange,   ///< a magnitude outside [kSmallestMagnitude, kLargestMagnitude] and not 0
+  kOutOfRange,   ///< a magnitude above kLargestMagnitude (below kSmallestMagnitude: taken as 0)
   kUnknownSite,  ///< no site has this id
   kBadLength,    ///< lengths of arrays do not fit each other, or are no multiple of the record's
   kOutOfMemory,  ///< memory ran out

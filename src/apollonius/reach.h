@@ -19,10 +19,10 @@ class Reach {
   /// Everywhere.
   Reach() = default;
   /// The same distance for all sites.
-  explicit Reach(double distance) : all_(distance) { note(distance); }
+  explicit Reach(double distance) : all_(taken(distance)) { note(all_); }
   /// A distance for each id; ids beyond have none. Throws std::bad_alloc.
   explicit Reach(std::span<const double> byId) : byId_(byId.begin(), byId.end()) {
-    for (const double distance : byId) note(distance);
+    for (double& distance : byId_) note(distance = taken(distance));
   }
   /// Limits some ids, ascending, for calls about one cell; all others have none. Throws
   /// std::bad_alloc. REQUIRES: as many distances, not none.

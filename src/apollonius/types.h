@@ -16,11 +16,15 @@ inline constexpr SiteId kNoSite = 0xFFFFFFFFu;
 /// Most sites that one diagram can hold.
 inline constexpr std::size_t kMostSites = std::size_t{1} << 29;
 
-/// Smallest and largest magnitude that a coordinate or a weight may have, apart from 0 (same unit
-/// as the coordinates).
+/// Numbers of a smaller magnitude are taken as 0, those of a larger one are errors.
 inline constexpr double kSmallestMagnitude = 1e-100;
 inline constexpr double kLargestMagnitude = 1e100;
-/// May a coordinate or a weight have this value? False for NaN and infinities.
+/// As which number is one taken that is given to a call? Also -0 as 0.
+constexpr double taken(double value) {
+  return -kSmallestMagnitude < value && value < kSmallestMagnitude ? 0.0 : value;
+}
+/// May a coordinate or a weight have this value once it has been taken? False for NaN and
+/// infinities.
 constexpr bool isInRange(double value) {
   const double magnitude = value < 0 ? -value : value;
   return magnitude == 0 || (magnitude >= kSmallestMagnitude && magnitude <= kLargestMagnitude);
@@ -62,7 +66,7 @@ enum class Top : std::uint8_t { kSmallest, kLast };
 /// All sites, hidden ones too; row k of each array belongs to the k-th of them, ascending by id.
 struct SiteArrays {
   std::vector<SiteId> ids;
-  std::vector<double> xyr;           ///< x, y, r of each site, exactly as given
+  std::vector<double> xyr;           ///< x, y, r of each site, as they were taken
   std::vector<std::uint8_t> hidden;  ///< 1 for a site without a cell, else 0
 };
 

@@ -108,7 +108,9 @@ class APOLLONIUS_EXPORT Voronoi {
   // in all that is said of cells below, and edges are what two of them share. Calls return
   // kNotFinite or kOutOfRange if it has such a distance, kBadLength if it has none for an id.
   explicit Voronoi(const Diagram& diagram, const Bounds& bounds = {}, const Reach* reach = nullptr)
-      : diagram_(diagram), bounds_(bounds), reach_(reach) {}
+      : diagram_(diagram),
+        bounds_{taken(bounds.xmin), taken(bounds.ymin), taken(bounds.xmax), taken(bounds.ymax)},
+        reach_(reach) {}
   /// In a region, which must live as long. The first call after either has changed costs
   /// O(h), and about the logarithm of its degree for each cell that a side passes through. Sides
   /// that are about as near to many cells as to the border of theirs cost that number each.

@@ -30,7 +30,7 @@ bool meets(const Site& site, const Rectangle& r) {
 /// About in the middle, and a coordinate that a site might have.
 double between(double low, double high) {
   const double middle = low + (high - low) / 2;
-  return isInRange(middle) ? middle : 0;  // where it is next to 0, they are on both sides of it
+  return taken(middle);  // where it is next to 0, they are on both sides of it
 }
 
 /// The window in pieces, of which each asks for the sites around its middle as far as its corners

@@ -48,7 +48,7 @@ class AngularReach {
   /// From the circle of a site.
   [[nodiscard]] double beyondCircle(SiteId site) const {
     if (distances_.empty()) return std::numeric_limits<double>::infinity();
-    return distances_[distances_.size() == 1 ? 0 : site] / radius_;
+    return taken(distances_[distances_.size() == 1 ? 0 : site]) / radius_;
   }
   /// From its centre: up to 0 there is no cell, from pi on the cell ends at others only.
   [[nodiscard]] double of(const ProjectedDiagram& diagram, VertexId node) const {

@@ -25,7 +25,11 @@ std::uint64_t bytesFor(std::uint64_t idLimit, std::uint64_t sites, std::uint64_t
   return kHeaderBytes + 24 * sites + ids + 8 * hidden + ids % 8 + kChecksumBytes;
 }
 
+/// Could it have been saved? What calls take as 0 could not.
 bool isSite(const SphericalSite& site, double radius) {
+  for (const double number : {site.centre.lon, site.centre.lat, site.r}) {
+    if (taken(number) != number) return false;
+  }
   return std::isfinite(site.centre.lon) && std::abs(site.centre.lat) <= 90 &&
          std::abs(site.r) / radius < std::numbers::pi;
 }

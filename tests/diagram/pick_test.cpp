@@ -261,7 +261,7 @@ TEST(Pick, BadNumbersAreErrors) {
   EXPECT_EQ(diagram.search(0, 0, 1, 1e101, sites), Error::kBadBounds);
   NearestFirst walk(diagram);
   EXPECT_EQ(walk.start(nan, 0), Error::kNotFinite);
-  EXPECT_EQ(walk.start(0, 0, 1e-101), Error::kOutOfRange);
+  EXPECT_EQ(walk.start(0, 0, 1e101), Error::kOutOfRange);
 }
 
 TEST(Pick, EmptyDiagram) {

@@ -197,7 +197,7 @@ TEST(Nearby, BadNumbersAreErrors) {
   EXPECT_EQ(diagram.kNearest(0, 1e101, 1, sites), Error::kOutOfRange);
   EXPECT_EQ(diagram.within(0, infinity, 1, sites), Error::kNotFinite);
   EXPECT_EQ(diagram.within(0, 0, nan, sites), Error::kNotFinite);
-  EXPECT_EQ(diagram.within(0, 0, 1e-101, sites), Error::kOutOfRange);
+  EXPECT_EQ(diagram.within(0, 0, 1e101, sites), Error::kOutOfRange);
   EXPECT_EQ(diagram.kNearestMany(std::vector{0.0, nan}, 1, 1, true, lists), Error::kNotFinite);
   EXPECT_EQ(diagram.kNearestMany({}, 1, nan, true, lists), Error::kNotFinite);
   SiteId id = 7;

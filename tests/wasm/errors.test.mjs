@@ -23,8 +23,6 @@ const cases = [
   ["insert null", (d) => d.insert(1, 2, null), "not-finite", "r is null"],
   ["insert a bigint", (d) => d.insert(1n, 2, 3), "not-finite", "x is the bigint 1n"],
   ["insert too large", (d) => d.insert(1e101, 0, 0), "out-of-range", "x is 1e+101"],
-  ["insert too small", (d) => d.insert(0, -1e-101, 0), "out-of-range", "y is -1e-101"],
-  ["insert a subnormal", (d) => d.insert(0, 0, 5e-324), "out-of-range", "r is 5e-324"],
   ["update NaN", (d) => d.update(3, 0, NaN, 1), "not-finite", "y is NaN"],
   ["update a string", (d) => d.update(3, 0, 0, "1"), "not-finite", 'r is the string "1"'],
   ["update out of range", (d) => d.update(3, 0, 0, 1e300), "out-of-range", "r is 1e+300"],
@@ -33,7 +31,7 @@ const cases = [
   ["find a string", (d) => d.find("1", 2), "not-finite", 'x is the string "1"'],
   ["find out of range", (d) => d.find(0, 1e150), "out-of-range", "y is 1e+150"],
   ["nearest Infinity", (d) => d.nearest(0, Infinity), "not-finite", "y is Infinity"],
-  ["nearest out of range", (d) => d.nearest(1e-200, 0), "out-of-range", "x is 1e-200"],
+  ["nearest out of range", (d) => d.nearest(1e200, 0), "out-of-range", "x is 1e+200"],
 
   // Arrays of numbers
   ["insertMany NaN", (d) => d.insertMany([1, 2, 3, 4, NaN, 6]), "not-finite", "xyr[4] is NaN"],
@@ -63,9 +61,9 @@ const cases = [
   ],
   [
     "insertMany out of range",
-    (d) => d.insertMany([1, 2, 3, 4, 5, 1e-300]),
+    (d) => d.insertMany([1, 2, 3, 4, 5, 1e300]),
     "out-of-range",
-    "xyr[5] is 1e-300",
+    "xyr[5] is 1e+300",
   ],
   [
     "insertMany seven values",

@@ -168,7 +168,7 @@ test.each([
   [(d) => d.kNearest(0, 0, 1.5), "out-of-range", "k is 1.5"],
   [(d) => d.within(Infinity, 0, 1), "not-finite", "x is Infinity"],
   [(d) => d.within(0, null, 1), "not-finite", "y is null"],
-  [(d) => d.within(1e-101, 0, 1), "out-of-range", "x is 1e-101"],
+  [(d) => d.within(1e101, 0, 1), "out-of-range", "x is 1e+101"],
   [(d) => d.within(0, 0), "not-finite", "maxDistance is undefined"],
   [(d) => d.within(0, 0, -Infinity), "not-finite", "maxDistance is -Infinity"],
   [(d) => d.within(0, 0, NaN), "not-finite", "maxDistance is NaN"],

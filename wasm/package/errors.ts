@@ -1,8 +1,8 @@
 /**
  * What went wrong, for programs.
  * - "not-finite": a number is NaN or infinite, or what should be a number is something else
- * - "out-of-range": a magnitude other than 0 below 1e-100 or above 1e100, or a count that is no
- *   whole number from 0 on
+ * - "out-of-range": a magnitude above 1e100 (those below 1e-100 are taken as 0), or a count that
+ *   is no whole number from 0 on
  * - "unknown-site": no site has this id
  * - "bad-length": not an array (of numbers, ids or items), an array of the wrong length, or one
  *   whose buffer is detached or has shrunk

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <limits>
 
+#include "apollonius/types.h"
 #include "diagram/bulk_insertion.h"
 #include "geometry/cell/cell_measures.h"
 #include "geometry/cell/cell_sums.h"
-#include "geometry/curve/in_range.h"
 
 namespace apollonius::internal {
 
@@ -93,7 +93,7 @@ AreaFitter::AreaFitter(const DiagramCore& core, const NormalizedPolygon& polygon
   }
 }
 
-double AreaFitter::weightOf(std::size_t index) const { return inRange(best_.weights[index]); }
+double AreaFitter::weightOf(std::size_t index) const { return taken(best_.weights[index]); }
 
 std::uint32_t AreaFitter::begin(std::span<const double> targets, std::span<const double> start) {
   const std::size_t count = sites_.size();
@@ -142,7 +142,7 @@ std::uint32_t AreaFitter::begin(std::span<const double> targets, std::span<const
 FlatArray<double> AreaFitter::circlesOf(const State& state) const {
   FlatArray<double> xyr;
   for (std::size_t k = 0; k < sites_.size(); ++k) {
-    for (const double number : {sites_[k].x, sites_[k].y, inRange(state.weights[k])})
+    for (const double number : {sites_[k].x, sites_[k].y, taken(state.weights[k])})
       xyr.push_back(number);
   }
   return xyr;

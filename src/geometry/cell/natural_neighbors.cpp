@@ -5,11 +5,11 @@
 #include <limits>
 #include <vector>
 
+#include "apollonius/types.h"
 #include "base/infinite.h"
 #include "base/radix_sort.h"
 #include "diagram/queries.h"
 #include "geometry/cell/cell_measures.h"
-#include "geometry/curve/in_range.h"
 #include "geometry/curve/moments.h"
 #include "predicate/covers.h"
 #include "predicate/distance.h"
@@ -301,7 +301,7 @@ double NaturalNeighbors::areaAlongBorder(const Contact& from, Point to, double l
 
 /// The site from whose cell q takes a place; kNoVertex if it does not.
 VertexId NaturalNeighbors::takenAt(const Site& q, Point p) const {
-  const double x = inRange(p.x), y = inRange(p.y);
+  const double x = taken(p.x), y = taken(p.y);
   const VertexId near = vertexOf(core_.nearest(x, y));
   return isNearer(x, y, delaunay_.site(near), q) ? near : kNoVertex;
 }

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "apollonius/types.h"
 #include "base/infinite.h"
-#include "geometry/curve/in_range.h"
 #include "geometry/window/neighbor_search.h"
 
 namespace apollonius::internal {
@@ -56,7 +56,7 @@ class BoundaryWalker {
   Slot walk(std::span<const Point> ring, std::uint32_t number) {
     ring_ = number;
     const Point start = ring.front();
-    const VertexId home = cellOf({inRange(start.x), inRange(start.y)});
+    const VertexId home = cellOf({taken(start.x), taken(start.y)});
     cell_ = home;
     reach_ = 0;
     const std::size_t first = crossings_.size();

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "apollonius/types.h"
 #include "base/flat_array.h"
-#include "geometry/curve/in_range.h"
 
 namespace apollonius::internal {
 
@@ -54,7 +54,7 @@ double disorder(const FlatArray<double>& one, const FlatArray<double>& two) {
   return sum;
 }
 
-Slot nearest(const DiagramCore& core, Point p) { return core.nearest(inRange(p.x), inRange(p.y)); }
+Slot nearest(const DiagramCore& core, Point p) { return core.nearest(taken(p.x), taken(p.y)); }
 
 /// Does the site own the gap before the first contact, as the contacts tell, for sure or not? In a
 /// window many times as large as what is in it rounding moves contacts along whole sides, and they

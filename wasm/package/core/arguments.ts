@@ -29,15 +29,18 @@ export function numberError(name: string, value: unknown): ApolloniusError | nul
       `${name} is ${described(value)}, expected a finite number`,
     );
   }
-  const magnitude = Math.abs(value);
-  if (magnitude !== 0 && (magnitude < kSmallestMagnitude || magnitude > kLargestMagnitude)) {
+  if (Math.abs(value) > kLargestMagnitude) {
     return new ApolloniusError(
       "out-of-range",
-      `${name} is ${value}, expected 0 or a magnitude from 1e-100 to 1e100, where answers are ` +
-        "exact",
+      `${name} is ${value}, expected a magnitude of at most 1e100, where answers are exact`,
     );
   }
   return null;
+}
+
+/** What a number is taken as, as in src/apollonius/types.h: 0 if it is smaller, and for -0. */
+export function taken(value: number): number {
+  return Math.abs(value) < kSmallestMagnitude ? 0 : value;
 }
 
 /** Throws unless the value can be a coordinate or weight. */
@@ -338,8 +341,8 @@ export function checkedNumbersOfBounds(bounds: ArrayLike<unknown>): Bounds {
     const value = bounds[k]; // read once: a getter may say something else the next time
     const error = numberError(`${name} of bounds`, value);
     if (error) throw new ApolloniusError("bad-bounds", error.message);
-    return value;
-  }) as Bounds;
+    return taken(value as number);
+  }) as unknown as Bounds;
 }
 
 /** A window [xmin, ymin, xmax, ymax] with xmin < xmax and ymin < ymax; throws "bad-bounds". */

@@ -56,8 +56,9 @@ interface Plane {
  *
  * The distance of a point p to a site is |p - c| - r, negative inside the circle. Every decision is
  * exact for the numbers given; nothing depends on rounding, on the order of operations or on the
- * platform. Numbers in: 0 and magnitudes from 1e-100 to 1e100, negative weights included; y points
- * upwards. n is the number of sites, d the number of a site's neighbours.
+ * platform. Numbers in: magnitudes up to 1e100, negative weights included; those below 1e-100 are
+ * taken as 0, and 0 comes back. y points upwards. n is the number of sites, d the number of a
+ * site's neighbours.
  *
  * Every call that fails throws an ApolloniusError and leaves the diagram as it was; after `dispose`
  * every call throws "disposed". Every call that needs memory can throw "out-of-memory". A call that

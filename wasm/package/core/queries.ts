@@ -7,6 +7,7 @@ import {
   checkedNumbers,
   checkNumber,
   checkOptions,
+  taken,
 } from "./arguments.js";
 import {
   checkedFilter,
@@ -36,7 +37,7 @@ import type {
 
 function checkedLimit(name: string, limit: unknown): number {
   if (limit !== Infinity) checkNumber(name, limit);
-  return limit as number;
+  return taken(limit as number);
 }
 
 /** The limit of checked options: Infinity unless they say otherwise. */

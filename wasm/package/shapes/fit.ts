@@ -7,6 +7,7 @@ import {
   checkOptions,
   described,
   numberError,
+  taken,
 } from "../core/arguments.js";
 import { Slices } from "../core/building.js";
 import type { Fitting, NativeShapes } from "../core/native/module.js";
@@ -180,7 +181,7 @@ function begin(
   throw new ApolloniusError(
     "bad-target",
     numberError(`targets[${id}]`, target)?.message ??
-      (target > 0
+      (taken(target) > 0
         ? `the cell of site ${id} is empty with equal weights: its centre is another's, too, or ` +
           "outside the window"
         : `targets[${id}] is ${target}, expected a number above 0`),

@@ -1,5 +1,5 @@
 // Windows of any shape, as callers give them: rings of points, flat rings, GeoJSON.
-import { described, isArrayLike, numberError, plainView } from "../core/arguments.js";
+import { described, isArrayLike, numberError, plainView, taken } from "../core/arguments.js";
 import type { Bounds } from "../core/types.js";
 import { ApolloniusError } from "../errors.js";
 
@@ -90,7 +90,7 @@ function ringOfDisc(disc: unknown): [number, number][] | undefined {
     const error = numberError(`${name} of the disc`, value);
     if (error) throw bad(error.message);
   }
-  if (!(r > 0)) throw bad(`r of the disc is ${r}, expected a number above 0`);
+  if (!(taken(r) > 0)) throw bad(`r of the disc is ${r}, expected a number above 0`);
   let directions: [number, number][] = [
     [1, 0],
     [0, 1],

@@ -1,6 +1,6 @@
 // The window of a view as a thing: what it measures, and what is in it.
 import type { Portion } from "../../../build/wasm/apollonius.mjs";
-import { checkNumber } from "../core/arguments.js";
+import { checkNumber, taken } from "../core/arguments.js";
 import type { NativeRegion, NativeShapes } from "../core/native/module.js";
 import { play } from "../core/path.js";
 import type { Bounds } from "../core/types.js";
@@ -38,8 +38,11 @@ class VoronoiWindow implements Shape {
     checkNumber("x", x);
     checkNumber("y", y);
     this.#livingNow();
+    if (this.#region) return this.#region.contains(x, y);
     const [xmin, ymin, xmax, ymax] = this.bounds;
-    return this.#region?.contains(x, y) ?? (xmin <= x && x <= xmax && ymin <= y && y <= ymax);
+    const left = taken(x),
+      low = taken(y);
+    return xmin <= left && left <= xmax && ymin <= low && low <= ymax;
   }
 }
 

@@ -37,7 +37,8 @@ interface Sphere {
  * A site has a centre in degrees, longitude first, and a weight r. The distance of a point to it
  * is the way along a great circle minus r, in the unit of the sphere's radius. Any longitude,
  * latitudes from -90 to 90, weights below half a great circle, negative ones too; only their
- * differences matter to the diagram. n is the number of sites, d the number of a site's neighbours.
+ * differences matter to the diagram. Magnitudes below 1e-100 are taken as 0, and 0 comes back. n is
+ * the number of sites, d the number of a site's neighbours.
  *
  * The graph is computed exactly, of sites that were rounded to some 1e-15 radians (6 nm on the
  * Earth; more beside a site that nearly hides another). The nearest site is the nearest to

@@ -1,6 +1,6 @@
 // Cells of nodes while a treemap is made, each in a frame of its own: so areas of small cells deep
 // down are as exact as those of large ones.
-import { checkedBounds, checkNumber } from "../core/arguments.js";
+import { checkedBounds, checkNumber, taken } from "../core/arguments.js";
 import { Diagram } from "../core/diagram.js";
 import type { Bounds, Site } from "../core/types.js";
 import { ApolloniusError } from "../errors.js";
@@ -88,9 +88,9 @@ function boundsOf(shape: unknown): Framed {
   return { frame, outline: outlineOf(movedInto(frame, [ring])), bounds };
 }
 
-function discOf({ x, y, r }: Disc): Framed {
-  for (const [name, value] of Object.entries({ x, y, r }))
-    checkNumber(`${name} of the disc`, value);
+function discOf(disc: Disc): Framed {
+  for (const name of ["x", "y", "r"] as const) checkNumber(`${name} of the disc`, disc[name]);
+  const { x, y, r } = { x: taken(disc.x), y: taken(disc.y), r: taken(disc.r) };
   if (!(r > 0)) throw new ApolloniusError("bad-bounds", `r of the disc is ${r}, expected above 0`);
   const frame = frameOf({ xmin: x - r, xmax: x + r, ymin: y - r, ymax: y + r });
   const { curves, starts } = circle();

@@ -1,5 +1,5 @@
 // What a treemap is told, and what it reads of a tree before anything is laid out.
-import { checkNumber, described, numberError } from "../core/arguments.js";
+import { checkNumber, described, numberError, taken } from "../core/arguments.js";
 import type { Position } from "../core/types.js";
 import { ApolloniusError } from "../errors.js";
 import type { Shape } from "./cells.js";
@@ -87,7 +87,8 @@ export function valuesOf(nodes: readonly Input[], settings: Settings): Map<Input
 /** A width that padding can have. */
 export function checkedPadding(name: string, width: unknown): number {
   checkNumber(name, width);
-  if ((width as number) >= 0) return width as number;
+  const known = taken(width as number);
+  if (known >= 0) return known;
   throw new ApolloniusError("out-of-range", `${name} is ${described(width)}, expected 0 or more`);
 }
 
@@ -105,5 +106,5 @@ export function positionOf(node: Input, position: (node: Input) => Position): Po
     numberError(`x of the position of ${nameOf(node)}`, x) ??
     numberError(`y of the position of ${nameOf(node)}`, y);
   if (error) throw error;
-  return [x as number, y as number];
+  return [taken(x as number), taken(y as number)];
 }

@@ -23,7 +23,6 @@ export type Table = { rows: Cells[]; called: Partial<Record<Column, string>> };
 /** `about` says what was taken as the radius, if that is not plain. */
 export type Circles = { rows: Row[]; about?: string };
 
-const kSmallest = 1e-100;
 const kLargest = 1e100;
 const kShare = 0.15; // of the square around the centres that circles take, if only areas are known
 
@@ -85,9 +84,8 @@ export function circlesIn({ rows, called }: Table): Circles {
 
 /** Within it answers are exact: docs/API.md. */
 function inRange(value: number, place: string) {
-  const size = Math.abs(value);
-  if (size === 0 || (size >= kSmallest && size <= kLargest)) return value;
-  throw new Error(`${place}: ${value} is out of range: 0, or a size from 1e-100 to 1e100`);
+  if (Math.abs(value) <= kLargest) return value;
+  throw new Error(`${place}: ${value} is out of range: sizes up to 1e100`);
 }
 
 const shortened = (value: unknown) => {
