@@ -34,7 +34,8 @@ std::vector<std::vector<Place>> starIn(const Bounds& b, Random& random) {
     const int points = 3 + random.below(6);
     for (int k = 0; k < 2 * points; ++k) {
       const double angle = 3.14159265358979 * k / points, share = scale * (k % 2 == 0 ? 1 : 0.5);
-      ring.emplace_back(x + width * share * std::cos(angle), y + height * share * std::sin(angle));
+      ring.emplace_back(taken(x + width * share * std::cos(angle)),
+                        taken(y + height * share * std::sin(angle)));
     }
     rings.push_back(ring);
   }
