@@ -57,18 +57,21 @@ test("null for what has no cell in the window", () => {
 
 /** A context that writes what it is told. */
 function recorder() {
-  let text = "";
+  const pieces = [];
   const points =
     (letter) =>
-    (...xy) =>
-      void (text += `${letter}${xy}`);
+    (...xy) => {
+      pieces.push(`${letter}${xy}`);
+    };
   return {
     moveTo: points("M"),
     lineTo: points("L"),
     bezierCurveTo: points("C"),
     closePath: points("Z"),
-    beginPath: () => void (text = ""),
-    text: () => text,
+    beginPath() {
+      pieces.length = 0;
+    },
+    text: () => pieces.join(""),
   };
 }
 

@@ -36,7 +36,7 @@ const values = {
 };
 
 /** The value where it depends on the call, and on what that is a call of. */
-function valueOf(name, call, { object, bytes }) {
+function argumentOf(name, call, { object, bytes }) {
   if (name === "root") return tree();
   if (name === "bytes") return bytes();
   if (name === "values" || name === "targets") return [1, 1, 1];
@@ -92,7 +92,9 @@ export const sampleCalls = subjects.flatMap(([of, type, make, bytes]) =>
       const run = (changed = {}, ...rest) => {
         const object = make();
         const given = parameters.map((parameter) =>
-          parameter in changed ? changed[parameter] : valueOf(parameter, name, { object, bytes }),
+          parameter in changed
+            ? changed[parameter]
+            : argumentOf(parameter, name, { object, bytes }),
         );
         const answer = object[name](...given, ...rest);
         // A generator runs when it is asked.

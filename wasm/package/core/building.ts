@@ -115,7 +115,7 @@ function give(native: NativeDiagram, builder: Builder, bytes: unknown, isTrusted
   native.readInto(builder, checkedBytes("bytes", bytes), source);
 }
 
-/** The inside of a diagram, and a builder for so many items; the sphere has the same calls. */
+/** The inside of a diagram, and a builder for this many items; the sphere has the same calls. */
 function builderOf(diagram: DynamicDiagram<unknown>, count: number) {
   const { native: any, ballast } = innerOf(diagram);
   const native = any as NativeDiagram;
