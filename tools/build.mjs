@@ -19,7 +19,6 @@ import { createHash } from "node:crypto";
 import {
   chmodSync,
   copyFileSync,
-  cpSync,
   existsSync,
   mkdirSync,
   readdirSync,
@@ -38,6 +37,7 @@ import { parts, splitWasm } from "./toolchain/split_wasm.mjs";
 import { ensureBuildTools, main } from "./toolchain/setup.mjs";
 
 const sources = path.join(root, "wasm/package");
+const examples = path.join(root, "docs/examples");
 const types = path.join(root, "build/types/wasm/package");
 const { name, version } = JSON.parse(readFileSync(path.join(root, "package.json"), "utf8"));
 const own = { name, version };
@@ -276,6 +276,8 @@ function fingerprint(built) {
       .filter((name) => /\.(ts|mjs|json)$/.test(name))
       .map((name) => path.join(sources, name)),
     fileURLToPath(import.meta.url),
+    path.join(root, "tools/hover_examples.mjs"),
+    ...readdirSync(examples).map((name) => path.join(examples, name)),
     path.join(root, "package.json"),
     ...["wasm", "mjs", "d.mts"].map((kind) => path.join(built, `apollonius.${kind}`)),
     path.join(root, "tools/toolchain/split_wasm.mjs"),
@@ -302,9 +304,16 @@ async function makeDist(emscripten, built, dist, options) {
   const fresh = path.join(root, "build/dist");
   rmSync(fresh, { recursive: true, force: true });
   await bundle(fresh, built);
-  for (const format of ["esm", "cjs"])
-    for (const name of publicDeclarations())
-      cpSync(path.join(types, name), path.join(fresh, format, name));
+  // Not before `npm ci` may have installed TypeScript.
+  const { examplesAdded } = await import("./hover_examples.mjs");
+  for (const name of publicDeclarations()) {
+    const text = examplesAdded(name, readFileSync(path.join(types, name), "utf8"));
+    for (const format of ["esm", "cjs"]) {
+      const file = path.join(fresh, format, name);
+      mkdirSync(path.dirname(file), { recursive: true });
+      writeFileSync(file, text);
+    }
+  }
   // With the version: Observable Framework keeps bundles by it.
   const ofFolder = { ...own, type: "commonjs" };
   writeFileSync(path.join(fresh, "cjs/package.json"), `${JSON.stringify(ofFolder)}\n`);

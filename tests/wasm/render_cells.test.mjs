@@ -42,7 +42,7 @@ test.each(Object.entries(views))("in %s they are what renderCell gives", (_, vie
     { digits: 2, tolerance: 20 },
     { digits: 5, tolerance: 1e-4 },
   ])
-    expect(view.renderCells(options)).toEqual(oneByOne(view, options));
+    expect(view.renderCells(null, options)).toEqual(oneByOne(view, options));
 });
 
 test("null for what has no cell in the window", () => {
@@ -102,9 +102,13 @@ test("what each throws ends the drawing; what is no context or function is refus
   expect(() => views["a distance"].renderCells(recorder(), each)).toThrow(stop);
   expect(seen).toHaveLength(3);
   expectRefusal(() => views.bounds.renderCells(recorder()), "bad-option", "each is undefined");
-  expectRefusal(() => views.bounds.renderCells(null, () => {}), "bad-option", "context is null");
-  expectRefusal(() => views.bounds.renderCells({}, () => {}), "bad-option", "moveTo");
-  expectRefusal(() => views.bounds.renderCells("x"), "bad-option", "options is the string");
+  expectRefusal(() => views.bounds.renderCells(null, () => {}), "bad-option", "options is a fun");
+  expectRefusal(
+    () => views.bounds.renderCells({ digits: 2 }),
+    "bad-option",
+    "options go behind it",
+  );
+  expectRefusal(() => views.bounds.renderCells("x"), "bad-option", "context is the string");
 });
 
 test("digits are by default what the tolerance needs", () => {
@@ -115,11 +119,11 @@ test("digits are by default what the tolerance needs", () => {
       size,
       size,
     ]);
-    const given = view.renderCells(options);
+    const given = view.renderCells(null, options);
     const digits = [...Array(16).keys()].find(
       (places) =>
-        String(given) === String(view.renderCells({ ...options, digits: places })) &&
-        String(given) !== String(view.renderCells({ ...options, digits: places - 1 || 0 })),
+        String(given) === String(view.renderCells(null, { ...options, digits: places })) &&
+        String(given) !== String(view.renderCells(null, { ...options, digits: places - 1 || 0 })),
     );
     return digits;
   };
@@ -136,7 +140,7 @@ test("numbers are written as JavaScript writes them", () => {
     for (const x of xs)
       for (const size of [1, 1e-5]) {
         const view = new Diagram([x, x, 1]).voronoi([x, x, x + size, x + 2 * size]);
-        expect(view.renderCells({ digits })).toEqual(oneByOne(view, { digits }));
+        expect(view.renderCells(null, { digits })).toEqual(oneByOne(view, { digits }));
       }
   const far = new Diagram([1e99, 0, 1]).voronoi([1e99, 0, 2e99, 1e99]);
   expect(far.renderCells()).toEqual(oneByOne(far, { digits: 0 }));
@@ -145,8 +149,8 @@ test("numbers are written as JavaScript writes them", () => {
 test("in portions, after changes, and in any order of insertion", () => {
   const many = new Diagram(randomCircles(12_000, 173, 2));
   const view = many.voronoi([-1000, -1000, 1000, 1000]);
-  expect(view.renderCells({ digits: 2 })).toEqual(oneByOne(view, { digits: 2 }));
+  expect(view.renderCells(null, { digits: 2 })).toEqual(oneByOne(view, { digits: 2 }));
   for (let id = 0; id < 3000; id += 3) many.update(id, id / 3 - 500, (id * 7919) % 997, 1);
   many.removeMany(Uint32Array.from({ length: 2000 }, (_, k) => 6000 + k));
-  expect(view.renderCells({ digits: 2 })).toEqual(oneByOne(view, { digits: 2 }));
+  expect(view.renderCells(null, { digits: 2 })).toEqual(oneByOne(view, { digits: 2 }));
 });

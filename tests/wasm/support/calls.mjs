@@ -372,7 +372,7 @@ export const voronoiCalls = {
     use: inWindow((v) => v.renderCells()),
     refuses: [
       ...[tolerance, digits, unknownOption].flatMap((wrong) =>
-        wrong(inWindow((v, options) => v.renderCells(options))),
+        wrong(inWindow((v, options) => v.renderCells(null, options))),
       ),
       ["bad-option", inWindow((v) => v.renderCells({}, () => {})), "context is an object without"],
       ["bad-option", inWindow((v) => v.renderCells(kInk, 7)), "each is 7, expected a function"],

@@ -36,8 +36,9 @@ const values = {
 };
 
 /** The value where it depends on the call, and on what that is a call of. */
-function argumentOf(name, call, { object, bytes }) {
+function argumentOf(name, call, { object, bytes, parameters }) {
   if (name === "root") return tree();
+  if (name === "context" && !parameters.includes("each")) return null;
   if (name === "bytes") return bytes();
   if (name === "values" || name === "targets") return [1, 1, 1];
   if (call === "updateMany" && /^(xy|lonLat)/.test(name)) return triples.slice(0, 3);
@@ -94,7 +95,7 @@ export const sampleCalls = subjects.flatMap(([of, type, make, bytes]) =>
         const given = parameters.map((parameter) =>
           parameter in changed
             ? changed[parameter]
-            : argumentOf(parameter, name, { object, bytes }),
+            : argumentOf(parameter, name, { object, bytes, parameters }),
         );
         const answer = object[name](...given, ...rest);
         // A generator runs when it is asked.

@@ -19,14 +19,14 @@ const kMostDigits = 15;
 /** Draws cell after cell, each as a new path, and calls `each` with its site once it is there. */
 export function drawCells(
   context: PathContext & { beginPath?(): void },
-  each: ((id: number) => void) | undefined,
   native: NativeShapes,
   windowNow: () => NativeWindow,
+  each: (id: number) => void,
   options: DrawOptions | undefined,
 ): void {
+  checkedContext(context);
   checkOptions(options, "tolerance", "digits");
   const tolerance = toleranceOf(options);
-  checkedContext(context);
   if (typeof each !== "function")
     throw new ApolloniusError(
       "bad-option",

@@ -238,16 +238,16 @@ export class Voronoi implements Disposable {
    * by more than an eighth of it. O(n), several times as fast as a loop.
    */
   renderCells(context: PathContext, each: (id: number) => void, options?: DrawOptions): void;
-  renderCells(options?: DrawOptions): (string | null)[];
+  renderCells(context?: null, options?: DrawOptions): (string | null)[];
   renderCells(
-    context?: PathContext | DrawOptions,
-    each?: (id: number) => void,
+    context?: PathContext | null,
+    given?: ((id: number) => void) | DrawOptions,
     options?: DrawOptions,
   ): (string | null)[] | void {
     return Voronoi.#clipped(this, undefined, (native, windowNow) =>
-      each !== undefined || isContext(context)
-        ? drawCells(context as PathContext, each, native, windowNow, options)
-        : cellPaths(native, windowNow, context),
+      context === null || context === undefined
+        ? cellPaths(native, windowNow, given as DrawOptions | undefined)
+        : drawCells(context, native, windowNow, given as (id: number) => void, options),
     );
   }
 
@@ -803,9 +803,6 @@ export class Voronoi implements Disposable {
     return { isFlat, ...rings };
   }
 }
-
-const isContext = (given: unknown): given is PathContext =>
-  typeof given === "object" && given !== null && "moveTo" in given;
 
 function ringOptions(options: PolygonOptions | undefined) {
   checkOptions(options, "tolerance", "flat");
