@@ -6,6 +6,7 @@
 #include "api/spherical_checks.h"
 #include "apollonius/spherical_diagram.h"
 #include "base/flat_array.h"
+#include "sphere/inner_circle.h"
 #include "sphere/listing.h"
 #include "sphere/measures.h"
 #include "sphere/natural_neighbors.h"
@@ -140,6 +141,24 @@ Error SphericalDiagram::cellCentroid(SiteId id, double distance, SphericalPoint&
     const LonLat point = lonLatOf(hasDirection ? moment : diagram.cap(node).centre);
     centroid = {point.lon, point.lat};
   });
+}
+
+Error SphericalDiagram::cellCircle(SiteId id, double distance, SphericalCircle& circle) const {
+  bool isFound = true;
+  const Error error = guarded(*core_, cellError(id, distance), [&] {
+    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    circle = {kNone, kNone, kNone};
+    const ProjectedDiagram& diagram = core_->projected();
+    if (diagram.isHidden(id)) return;
+    const VertexId node = diagram.nodeOf(id);
+    const AngularReach reach({&distance, 1}, radius());
+    if (!(reach.of(diagram, node) > 0)) return;
+    InnerCircle found;
+    isFound = findInnerCircle(diagram, node, reach, found);
+    const LonLat centre = lonLatOf(found.centre);
+    if (isFound) circle = {centre.lon, centre.lat, found.radius * radius()};
+  });
+  return error == Error::kNone && !isFound ? Error::kNoConvergence : error;
 }
 
 Error SphericalDiagram::cellPolygon(SiteId id, double tolerance, bool isCut, double distance,

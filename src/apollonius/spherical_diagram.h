@@ -165,6 +165,12 @@ class APOLLONIUS_EXPORT SphericalDiagram {
   /// The direction of the mean of the cell's points in space, and the site's centre where there is
   /// none; NaN for a hidden site and for a cell that does not reach beyond its centre. Cost: O(d)
   [[nodiscard]] Error cellCentroid(SiteId id, double distance, SphericalPoint& centroid) const;
+  /// The largest circle inside a cell: r, in the radius' unit, is at least 0.999 of the largest
+  /// possible, and the circle is inside but for rounding; of the whole sphere r is half a great
+  /// circle. NaN for a hidden site and for a cell that does not reach beyond its centre. Errors:
+  /// also kNoConvergence for a cell that is thousands of times as long as wide. Cost: some hundred
+  /// times O(d)
+  [[nodiscard]] Error cellCircle(SiteId id, double distance, SphericalCircle& circle) const;
   /// Rings of longitude and latitude, counter-clockwise as seen from outside of the sphere, closed;
   /// none for a hidden site. Joined by arcs of great circles, a cell is one ring, or none if it is
   /// the whole sphere; cut, it is one part or more of the rectangle [-180, 180] x [-90, 90], within

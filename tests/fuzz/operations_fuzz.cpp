@@ -104,11 +104,11 @@ class Decoder {
     live_.pop_back();
   }
 
-  /// A circle that is legal; one that is not must be refused.
+  /// A circle that is legal, as the diagram takes its numbers; one that is not must be refused.
   bool read(Circle& circle) {
-    circle.x = number(bytes_, numbers_);
-    circle.y = number(bytes_, numbers_);
-    circle.r = number(bytes_, numbers_);
+    circle.x = taken(number(bytes_, numbers_));
+    circle.y = taken(number(bytes_, numbers_));
+    circle.r = taken(number(bytes_, numbers_));
     if (isLegal(circle)) return true;
     expectRefusal(circle);
     return false;

@@ -274,7 +274,7 @@ test("interpolateAsync tells its progress, can be aborted, and notices changes",
 
 // The same question has the same name, number of arguments and kind of answer on both surfaces.
 test("a view of the sphere has the calls of the plane's, but for what the reference says", () => {
-  const lacking = ["cellCircle", "cellCircles", "cellCurves", "cellParts", "dispose", "edgeCurves"];
+  const lacking = ["cellCurves", "cellParts", "dispose", "edgeCurves"];
   lacking.push("fitAreas", "fitAreasAsync", "render", "renderBounds", "renderCell", "renderCells");
   const namesOf = (view) =>
     Object.getOwnPropertyNames(Object.getPrototypeOf(view)).filter(
@@ -285,10 +285,58 @@ test("a view of the sphere has the calls of the plane's, but for what the refere
   const planar = namesOf(theirs).filter((name) => !["vertices", "edges"].includes(name));
   expect([...names, ...lacking].sort()).toEqual(planar.sort());
   for (const name of names)
-    if (!/mptyCircle/.test(name))
+    if (!/Circle/.test(name))
+      // with options in the plane
       expect(`${name} ${ours[name].length}`).toBe(`${name} ${theirs[name].length}`);
   expect(Object.prototype.toString.call(ours)).toBe("[object SphericalVoronoi]");
   expect(Object.isFrozen(ours)).toBe(true);
+});
+
+/** The point at a distance from another one, in a direction. */
+function pointAt([lon, lat], angle, bearing) {
+  const { sin, cos } = Math;
+  const from = lat / degrees;
+  const to = Math.asin(sin(from) * cos(angle) + cos(from) * sin(angle) * cos(bearing));
+  const turn = Math.atan2(sin(bearing) * sin(angle) * cos(from), cos(angle) - sin(from) * sin(to));
+  return [lon + turn * degrees, to * degrees];
+}
+
+test("the largest circles inside cells are inside, and as large as those of the plane", () => {
+  const list = sites(40, 2);
+  const globe = new SphericalDiagram(list.flat(), { radius });
+  for (const maxDistance of [Infinity, 2, (id) => id % 3]) {
+    const view = globe.voronoi({ maxDistance });
+    const circles = view.cellCircles();
+    expect(circles).toHaveLength(3 * list.length);
+    list.forEach((_, id) => {
+      const circle = view.cellCircle(id);
+      if (view.cellArea(id) === 0) {
+        expect([circle, ...circles.subarray(3 * id, 3 * id + 3)]).toEqual([null, NaN, NaN, NaN]);
+        return;
+      }
+      const { lon, lat, r } = circle;
+      expect([...circles.subarray(3 * id, 3 * id + 3)]).toEqual([lon, lat, r]);
+      expect(r).toBeGreaterThan(0);
+      for (let k = 0; k < 32; ++k) {
+        const place = pointAt([lon, lat], (r / radius) * (1 - 1e-9), (k * Math.PI) / 16);
+        expect(view.contains(id, ...place)).toBe(true);
+      }
+    });
+  }
+  const size = 1e-3 * degrees;
+  const places = Array.from({ length: 40 }, () => [random(), random(), random() / 30]);
+  const small = new SphericalDiagram(
+    places.flatMap(([x, y, w]) => [size * x, size * y, w]),
+    { radius: 1e3 },
+  );
+  const plane = new Diagram(places.flat());
+  const view = plane.voronoi([-9, -9, 9, 9], { maxDistance: 0.1 });
+  places.forEach((_, id) => {
+    const ours = small.voronoi({ maxDistance: 0.1 }).cellCircle(id);
+    const theirs = view.cellCircle(id);
+    expect(ours === null).toBe(theirs === null);
+    if (ours) expect(Math.abs(ours.r - theirs.r)).toBeLessThan(0.0011 * theirs.r);
+  });
 });
 
 // Close to the equator of a huge sphere, all is as on the plane.

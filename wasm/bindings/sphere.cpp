@@ -106,6 +106,7 @@ void registerSphere() {
       .function("cellAreas", &cellAreas)
       .function("cellPerimeters", &cellPerimeters)
       .function("cellCentroid", returning<&SphericalDiagram::cellCentroid>())
+      .function("cellCircle", returning<&SphericalDiagram::cellCircle>())
       .function("cellPolygon", returning<&SphericalDiagram::cellPolygon>(), moved)
       .function("cellPolygons", &cellPolygons, moved)
       .function("naturalWeights", &naturalWeights)

@@ -211,6 +211,7 @@ async function addSphere({ SphericalDiagram, validate }, bytes) {
         [globe.site(id), globe.isHidden(id), globe.coverOf(id), globe.neighbors(id)],
         [view.cellArea(id), view.cellPerimeter(id), view.cellMeasures(id)],
         [view.cellCentroid(id), view.cellPolygon(id), view.cellGeometry(id)],
+        [view.cellCircle(id)],
         [view.contains(id, ...somewhere()), view.neighbors(id)],
       ]);
   }

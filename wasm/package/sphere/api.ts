@@ -7,6 +7,7 @@ export type {
   ListedSphericalSite,
   Spherical,
   SphericalBuildOptions,
+  SphericalCellCircle,
   SphericalCollection,
   SphericalEdgesWithClearance,
   SphericalEmptyCircle,

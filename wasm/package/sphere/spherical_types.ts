@@ -79,6 +79,16 @@ export interface SphericalEmptyCircle {
   site: number;
 }
 
+/** The largest circle inside a cell. */
+export interface SphericalCellCircle {
+  /** Longitude of its centre. */
+  lon: number;
+  /** Latitude of its centre. */
+  lat: number;
+  /** Its radius; of the whole sphere half a great circle. */
+  r: number;
+}
+
 /** Options of `SphericalDiagram`. */
 export interface SphericalOptions extends RadiusOption {
   /**

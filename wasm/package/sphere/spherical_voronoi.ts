@@ -37,6 +37,7 @@ import type {
 import { checkedTolerance, sphericalOf } from "./spherical_arguments.js";
 import type {
   CutAtAntimeridian,
+  SphericalCellCircle,
   SphericalCollection,
   SphericalEdgesWithClearance,
   SphericalEmptyCircle,
@@ -223,7 +224,7 @@ export class SphericalVoronoi {
     return this.diagram.edges(options);
   }
 
-  // --- Empty circles -----------------------------------------------------------------------------
+  // --- Empty circles, and room for labels --------------------------------------------------------
 
   /**
    * The largest circle that no site reaches into: about the place on the sphere that is farthest
@@ -248,6 +249,33 @@ export class SphericalVoronoi {
       r,
       site: sites[k]!,
     }));
+  }
+
+  /**
+   * The largest circle inside a cell: room for a label. r is at least 0.999 of the largest possible,
+   * and the circle is inside but for rounding. null for a hidden site. Cost: some hundred times
+   * O(d). Throws "no-convergence" for a cell that is thousands of times as long as wide.
+   */
+  cellCircle(id: number): SphericalCellCircle | null {
+    const circle = SphericalVoronoi.#ofCell(this, id, (native, limit) =>
+      native.cellCircle(id, limit),
+    );
+    return Number.isNaN(circle.r) ? null : circle;
+  }
+
+  /**
+   * The largest circles inside all cells, in one array: longitude, latitude and r of site `id` begin
+   * at 3 id; NaN for ids without a cell. Cost: that of `cellCircle` for each. Throws as that.
+   */
+  cellCircles(): Float64Array {
+    const limits = SphericalVoronoi.#limits(this);
+    const { native } = SphericalVoronoi.#inner(this);
+    const circles = new Float64Array(3 * native.idLimit()).fill(NaN);
+    for (const id of native.ids()) {
+      const { lon, lat, r } = native.cellCircle(id, limits[limits.length === 1 ? 0 : id]!);
+      circles.set([lon, lat, r], 3 * id);
+    }
+    return circles;
   }
 
   // --- Interpolation -----------------------------------------------------------------------------
