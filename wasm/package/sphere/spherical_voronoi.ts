@@ -252,9 +252,9 @@ export class SphericalVoronoi {
   }
 
   /**
-   * The largest circle inside a cell: room for a label. r is at least 0.999 of the largest possible,
-   * and the circle is inside but for rounding. null for a hidden site. Cost: some hundred times
-   * O(d). Throws "no-convergence" for a cell that is thousands of times as long as wide.
+   * The largest circle inside a cell: room for a label. r is at least 0.999 of the largest
+   * possible, and the circle is inside but for rounding. null for a hidden site. Cost: some hundred
+   * times O(d). Throws "no-convergence" for a cell that is thousands of times as long as wide.
    */
   cellCircle(id: number): SphericalCellCircle | null {
     const circle = SphericalVoronoi.#ofCell(this, id, (native, limit) =>
@@ -264,8 +264,8 @@ export class SphericalVoronoi {
   }
 
   /**
-   * The largest circles inside all cells, in one array: longitude, latitude and r of site `id` begin
-   * at 3 id; NaN for ids without a cell. Cost: that of `cellCircle` for each. Throws as that.
+   * The largest circles inside all cells, in one array: longitude, latitude and r of site `id`
+   * begin at 3 id; NaN for ids without a cell. Cost: that of `cellCircle` for each. Throws as that.
    */
   cellCircles(): Float64Array {
     const limits = SphericalVoronoi.#limits(this);
