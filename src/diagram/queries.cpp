@@ -27,6 +27,33 @@ bool meets(const Site& site, const Rectangle& r) {
   return !isBeyond(std::clamp(site.x, r.xmin, r.xmax), std::clamp(site.y, r.ymin, r.ymax), site, 0);
 }
 
+/// Where a window has no limit, it ends where the circles end: seen from the middle of one that
+/// does not, all sites would be at one distance but for what only exact arithmetic can tell. Cost:
+/// O(length of the hull). REQUIRES: not empty.
+Rectangle withoutEmptySides(const DiagramCore& diagram, const Rectangle& window) {
+  const double far = kLargestMagnitude;
+  if (window.xmin > -far && window.ymin > -far && window.xmax < far && window.ymax < far)
+    return window;
+  Rectangle box{far, far, -far, -far};
+  const auto add = [&](const Site& site) {
+    const double r = std::max(site.r, 0.0);
+    const auto rounding = [&](double x) { return 8 * kUnitRoundoff * (absolute(x) + r); };
+    box = {std::min(box.xmin, site.x - r - rounding(site.x)),
+           std::min(box.ymin, site.y - r - rounding(site.y)),
+           std::max(box.xmax, site.x + r + rounding(site.x)),
+           std::max(box.ymax, site.y + r + rounding(site.y))};
+  };
+  const DelaunayGraph& delaunay = diagram.delaunay();
+  add(delaunay.site(delaunay.anyVisible()));
+  const Graph& graph = delaunay.graph();
+  visitHull(graph, [&](HalfedgeId h) { add(delaunay.site(graph.origin(h))); });
+  const auto inRange = [=](double x) { return std::clamp(taken(x), -far, far); };
+  return {window.xmin > -far ? window.xmin : inRange(box.xmin),
+          window.ymin > -far ? window.ymin : inRange(box.ymin),
+          window.xmax < far ? window.xmax : inRange(box.xmax),
+          window.ymax < far ? window.ymax : inRange(box.ymax)};
+}
+
 /// About in the middle, and a coordinate that a site might have.
 double between(double low, double high) {
   const double middle = low + (high - low) / 2;
@@ -172,7 +199,10 @@ Slot farthestSite(const DiagramCore& diagram, double x, double y) {
 void listMeeting(const DiagramCore& diagram, double xmin, double ymin, double xmax, double ymax,
                  std::vector<SiteId>& sites) {
   sites.clear();
-  WindowSearch(diagram, {xmin, ymin, xmax, ymax}).list(sites);
+  if (diagram.visibleCount() == 0) return;
+  const Rectangle window = withoutEmptySides(diagram, {xmin, ymin, xmax, ymax});
+  if (window.xmin > window.xmax || window.ymin > window.ymax) return;
+  WindowSearch(diagram, window).list(sites);
 }
 
 }  // namespace apollonius::internal

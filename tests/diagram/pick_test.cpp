@@ -3,11 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
 
 #include "apollonius/nearest_first.h"
+#include "apollonius/predicate_counts.h"
 #include "support/corpus.h"
 #include "support/effort.h"
 #include "support/oracle.h"
@@ -223,6 +225,37 @@ TEST(Search, EndsWhereManyAreNextToTheWindowEverywhere) {
   picking.checkSearch({0, 0x1p-50, 1, 0x1p-50});
   picking.checkSearch({0.5, -1, 0.5, 0});
   picking.checkSearch({-1e-100, -1e-100, 1e-100, 1e-100});
+}
+
+// (From the middle of a half-plane all sites seemed to be at one distance: 400 times as slow.)
+TEST(Search, WithoutLimitsNeedsNoExactArithmetic) {
+  Random random(147);
+  Circles circles = randomCircles(random, 600, Hidden::k20Percent);
+  for (const double r : {-1.0, -1e6, 0.0, 3e5}) circles.push_back({5e5 + r, 2e5, r});
+  Picking picking(circles);
+  const double far = kLargestMagnitude;
+  const PredicateCounts before = predicateCounts();
+  std::vector<SiteId> sites;
+  std::vector<std::array<double, 4>> windows;
+  for (const double at : {-3e5, 0.0, 12345.0})
+    for (const std::array<double, 4>& window : {std::array<double, 4>{-far, -far, far, far},
+                                                {-far, -far, at, far},
+                                                {at, -far, far, far},
+                                                {-far, -far, far, at},
+                                                {-far, at, far, far},
+                                                {-far, at, at, far},
+                                                {at, at, far, far}})
+      windows.push_back(window);
+  for (const auto& [xmin, ymin, xmax, ymax] : windows)
+    ASSERT_EQ(picking.diagram().search(xmin, ymin, xmax, ymax, sites), Error::kNone);
+  EXPECT_EQ(predicateCounts().distance.exact, before.distance.exact);
+  for (const auto& [xmin, ymin, xmax, ymax] : windows)
+    picking.checkSearch({xmin, ymin, xmax, ymax});
+  picking.checkSearch({5e7, -far, far, far});  // nothing
+  Picking one(Circles{{3, 4, 5}});
+  for (const auto& [xmin, ymin, xmax, ymax] : windows) one.checkSearch({xmin, ymin, xmax, ymax});
+  Picking none(Circles{});
+  none.checkSearch({-far, -far, far, far});
 }
 
 /// Windows that have no middle, as there is no double between their sides, or none in the range.
