@@ -206,7 +206,7 @@ test("the entry with a .wasm of its own loads the module that is imported", asyn
 test("without the condition, the error says what to do", async () => {
   await bundled(worker('import { Diagram } from "apollonius-diagram";', use), ["import"]);
   const [answer] = await answers("/");
-  expect(answer).toMatch(/^not-loaded WebAssembly cannot be compiled here .* import the \.wasm/);
+  expect(answer).toMatch(/^not-loaded WebAssembly cannot be compiled here .* importing the \.wasm/);
 });
 
 test("the example", async () => {
