@@ -9,12 +9,12 @@ import { packed } from "../wasm/support/install_packed.mjs";
 import { runScriptInNode } from "../wasm/support/node.mjs";
 import { runPages } from "../wasm/support/pages.mjs";
 
-const use =
-  'import { validate } from "apollonius-diagram/diagnostics";\n' +
+const use = (diagnostics) =>
+  `import { validate } from "${diagnostics}";\n` +
   "const d = new Diagram([0, 0, 1, 9, 0, 2]);\n" +
   "globalThis.report(`${d.find(8, 0)} ${d.size} ${validate(d)}`);\n";
 const programs = {
-  main: `import { Diagram } from "apollonius-diagram";\n${use}`,
+  main: 'import { Diagram } from "apollonius-diagram";\n' + use("apollonius-diagram/diagnostics"),
   error:
     'import { ApolloniusError } from "apollonius-diagram";\n' +
     'globalThis.report(new ApolloniusError("broken", "why").message);\n',
@@ -54,7 +54,8 @@ const bundlers = {
 
   parcel() {
     const source = sourceFor("parcel");
-    // Parcel reads `exports` and `browserslist` only where the package of the source says so.
+    // Parcel reads `exports` only if the project says so: the folder with the lock file.
+    writeFileSync(path.join(source, "package-lock.json"), "{}");
     writeFileSync(
       path.join(source, "package.json"),
       JSON.stringify({
@@ -121,7 +122,10 @@ test.each(
     mkdirSync(path.dirname(path.join(out, file)), { recursive: true });
     writeFileSync(path.join(out, file), await minifiers[name](text));
   }
-  writeFileSync(path.join(out, "main.js"), `import { Diagram } from "./index.js";\n${use}`);
+  writeFileSync(
+    path.join(out, "main.js"),
+    `import { Diagram } from "./index.js";\n${use("./diagnostics.js")}`,
+  );
   expect(
     runScriptInNode(`globalThis.report = console.log; import("./bundles/${name}/main.js")`),
   ).toBe(expected.main);
