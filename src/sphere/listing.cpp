@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "base/flat_array.h"
 #include "diagram/listing.h"
@@ -32,7 +31,6 @@ namespace {
 double leastAngle(const Sector& sector) {
   // The curve is the nearer, the less its bearing differs from that of the other site.
   const SphericalBisector& bisector = sector.bisector;
-  constexpr double kTurn = 2 * std::numbers::pi;
   const double ahead = std::remainder(bisector.middle() - sector.from, kTurn);
   if ((ahead < 0 ? ahead + kTurn : ahead) <= sector.width)
     return bisector.at(bisector.middle()).rho();
