@@ -36,10 +36,10 @@ class Sphere {
   [[nodiscard]] Entry entry(const Direction& point, SiteId site) const {
     return {distance(point, site), site};
   }
-  [[nodiscard]] bool isBeyond(const Direction&, const Entry& entry, double limit) const {
+  [[nodiscard]] static bool isBeyond(const Direction&, const Entry& entry, double limit) {
     return entry.distance > limit;
   }
-  [[nodiscard]] bool isAfter(const Direction&, const Entry& a, const Entry& b) const {
+  [[nodiscard]] static bool isAfter(const Direction&, const Entry& a, const Entry& b) {
     return a.distance != b.distance ? a.distance > b.distance : a.site > b.site;
   }
   template <class Visit>
@@ -53,7 +53,7 @@ class Sphere {
     return distance(point, site) <= 0;
   }
   [[nodiscard]] double weight(SiteId site) const { return (*sites_)[site].r; }
-  [[nodiscard]] SiteId idOf(SiteId site) const { return site; }
+  [[nodiscard]] static SiteId idOf(SiteId site) { return site; }
 
  private:
   const ProjectedDiagram* diagram_;
