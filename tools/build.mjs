@@ -276,7 +276,7 @@ function fingerprint(built) {
       .filter((name) => /\.(ts|mjs|json)$/.test(name))
       .map((name) => path.join(sources, name)),
     fileURLToPath(import.meta.url),
-    path.join(root, "tools/hover_examples.mjs"),
+    ...["examples", "hover_examples"].map((name) => path.join(root, `tools/${name}.mjs`)),
     ...readdirSync(examples).map((name) => path.join(examples, name)),
     path.join(root, "package.json"),
     ...["wasm", "mjs", "d.mts"].map((kind) => path.join(built, `apollonius.${kind}`)),

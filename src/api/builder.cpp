@@ -25,10 +25,7 @@ struct Builder::Work {
     auto empty = std::make_unique<DiagramCore>(core().location());
     reading = std::make_unique<Reading>(std::move(empty), std::move(bytes), source);
   }
-  void become(std::unique_ptr<DiagramCore> restored) {
-    diagram.core_ = std::move(restored);
-    isRead = true;
-  }
+  void become(std::unique_ptr<DiagramCore> restored) { diagram.core_ = std::move(restored); }
 
   [[nodiscard]] bool advance(std::size_t steps) {
     if (!insertion) insertion.emplace(core());
@@ -44,15 +41,12 @@ struct Builder::Work {
     }
     return false;
   }
-  [[nodiscard]] double progress() const {
-    return insertion ? insertion->progress() : static_cast<double>(isRead);
-  }
+  [[nodiscard]] double progress() const { return insertion ? insertion->progress() : 0; }
 
   Diagram& diagram;
   std::vector<double> xyr;
   std::vector<SiteId> ids;
   bool isStaged = false;
-  bool isRead = false;
   Error error = Error::kNone;  // that ended the work
   std::unique_ptr<Reading> reading;
   std::optional<BulkInsertion> insertion;  // last: it is undone while the ids are there

@@ -36,9 +36,10 @@ class Reading {
     isDone = state == Restoring::State::kDone;
     return state == Restoring::State::kCorrupt ? Error::kCorruptSnapshot : Error::kNone;
   }
-  [[nodiscard]] double progress() const { return restoring_.progress(); }
-  /// What has been read. REQUIRES: done.
+  [[nodiscard]] double progress() const { return isTaken() ? 1 : restoring_.progress(); }
+  /// Hands over the diagram. REQUIRES: all has been read.
   std::unique_ptr<Core> take() { return std::move(core_); }
+  [[nodiscard]] bool isTaken() const { return core_ == nullptr; }
 
  private:
   std::unique_ptr<Core> core_;
@@ -76,7 +77,8 @@ Error BuilderOf<AnyDiagram>::read(std::vector<std::uint8_t> bytes, Source source
 template <class AnyDiagram>
 Error BuilderOf<AnyDiagram>::advance(std::size_t steps, bool& isDone) {
   Work& work = *work_;
-  isDone = work.error == Error::kNone && work.size() == 0 && work.reading == nullptr;
+  isDone = work.error == Error::kNone && work.size() == 0 &&
+           (work.reading == nullptr || work.reading->isTaken());
   if (isDone) return Error::kNone;
   Error found = Error::kNone;
   const Error failed = guarded(work.core(), work.error, [&] {
@@ -85,9 +87,7 @@ Error BuilderOf<AnyDiagram>::advance(std::size_t steps, bool& isDone) {
       return;
     }
     found = work.reading->advance(steps, isDone);
-    if (!isDone) return;
-    work.become(work.reading->take());
-    work.reading.reset();
+    if (isDone) work.become(work.reading->take());
   });
   work.error = internal::firstOf(failed, found);
   return work.error;

@@ -1,5 +1,5 @@
-// What every call of the public interface does before and after its work: checks numbers, takes
-// those as 0 that are too small, and translates lack of memory into an error.
+// Every call of the public interface comes by here before and after its work: numbers are checked,
+// those that are too small are taken as 0, and lack of memory becomes an error.
 #pragma once
 
 #include <cstddef>
@@ -39,7 +39,7 @@ class TakenNumbers {
   std::span<const double> numbers_;
 };
 
-/// Takes a distance beyond which nothing is looked for, infinite if there is none.
+/// Checks how far a search may look, which may be infinite, and takes it.
 [[nodiscard]] Error takeLimit(double& maxDistance);
 
 inline Error takePick(double& maxDistance) {
@@ -70,7 +70,7 @@ Error checkIds(const AnyDiagram& diagram, std::span<const SiteId> ids) {
   return Error::kNone;
 }
 
-// What the sphere (spherical_checks.h) checks in another way.
+// The sphere has checks of its own in place of these (spherical_checks.h).
 
 inline Error takePoint(const DiagramCore&, double& x, double& y) {
   return firstOf(takeNumber(x), takeNumber(y));

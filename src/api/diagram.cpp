@@ -60,7 +60,7 @@ Error Diagram::insertMany(std::span<const double> xyr, std::span<SiteId> ids) {
   const Error error = firstOf(checkLength(xyr.size() == 3 * ids.size()), checkNumbers(xyr),
                               checkRoom(ids.size(), size()));
   return guarded(*core_, error, [&] {
-    // Of none, without making the room that any insertion needs.
+    // An empty list must not make the room that any insertion needs.
     if (!ids.empty()) insertAll(*core_, TakenNumbers(xyr), ids);
   });
 }

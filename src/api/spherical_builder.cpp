@@ -26,15 +26,12 @@ struct SphericalBuilder::Work {
       (void)sites.take({{more[k], more[k + 1]}, more[k + 2]});
   }
 
-  /// What is built of the sites needs no proof, whoever saved them.
+  /// The diagram is built of the sites in the bytes, so that nothing has to be proved.
   void read(std::vector<std::uint8_t> bytes, Source) {
     auto empty = std::make_unique<SphericalCore>(diagram.radius());
     reading = std::make_unique<Reading>(std::move(empty), std::move(bytes));
   }
-  void become(std::unique_ptr<SphericalCore> restored) {
-    diagram.core_ = std::move(restored);
-    isRead = true;
-  }
+  void become(std::unique_ptr<SphericalCore> restored) { diagram.become(std::move(restored)); }
 
   [[nodiscard]] bool advance(std::size_t steps) {
     if (!projecting) projecting.emplace(sites, core().seed());
@@ -43,13 +40,10 @@ struct SphericalBuilder::Work {
     sites.clear();
     return true;
   }
-  [[nodiscard]] double progress() const {
-    return projecting ? projecting->progress() : static_cast<double>(isRead);
-  }
+  [[nodiscard]] double progress() const { return projecting ? projecting->progress() : 0; }
 
   SphericalDiagram& diagram;
   SiteTable sites;
-  bool isRead = false;
   std::optional<Projecting> projecting;  // of `sites`
   Error error = Error::kNone;            // that ended the work
   std::unique_ptr<Reading> reading;

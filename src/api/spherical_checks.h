@@ -1,4 +1,5 @@
-// What the calls of SphericalDiagram check in another way than those of the plane (checks.h).
+// Checks that SphericalDiagram has in place of the plane's (checks.h): degrees, and weights below
+// half a great circle.
 #pragma once
 
 #include <cmath>

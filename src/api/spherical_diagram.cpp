@@ -22,7 +22,7 @@ using namespace internal::sphere;
 
 namespace {
 
-/// To a site; where that is farther than the limit, and from none, infinity, and the id becomes
+/// The distance to a site. Beyond the limit, and without a site, it is infinite and the id becomes
 /// kNoSite.
 double limitedDistance(const SphericalCore& core, const Direction& point, double maxDistance,
                        SiteId& id) {
@@ -227,13 +227,18 @@ Error SphericalDiagram::fromBytes(std::span<const std::uint8_t> bytes) {
   try {
     auto restored = std::make_unique<SphericalCore>(1);
     if (!restored->restore(bytes)) return Error::kCorruptSnapshot;
-    core_ = std::move(restored);
+    become(std::move(restored));
     return Error::kNone;
   } catch (const std::bad_alloc&) {
     return Error::kOutOfMemory;
   } catch (const std::length_error&) {
     return Error::kOutOfMemory;
   }
+}
+
+void SphericalDiagram::become(std::unique_ptr<SphericalCore> restored) noexcept {
+  restored->follow(*core_);
+  core_ = std::move(restored);
 }
 
 Error SphericalDiagram::validate(Violation& violation) const {

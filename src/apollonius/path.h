@@ -70,7 +70,7 @@ struct Portion {
 template <class Content>
 struct CellsOf {
   Content content;
-  std::vector<double> ends;  ///< of each cell its site, and where its commands or its text end
+  std::vector<double> ends;  ///< each cell's site, and where its commands or its text end
 };
 using CellDrawings = CellsOf<Path>;
 using CellPaths = CellsOf<std::vector<std::uint8_t>>;

@@ -223,6 +223,7 @@ class APOLLONIUS_EXPORT SphericalDiagram {
 
   [[nodiscard]] Error distancesError(std::span<const double> distances) const;
   [[nodiscard]] Error cellError(SiteId id, double distance) const;
+  void become(std::unique_ptr<internal::sphere::SphericalCore> restored) noexcept;
 
   std::unique_ptr<internal::sphere::SphericalCore> core_;
 };

@@ -31,10 +31,11 @@ class Proof {
 
   /// Looks at this many more faces or edges; was that all, or does something contradict?
   bool advance(std::size_t most);
-  /// What contradicts, with an id that it names; nullptr as long as nothing does.
+  /// Says in words which condition does not hold; nullptr as long as all do. where() is the id that
+  /// the words name.
   [[nodiscard]] const char* contradiction() const { return what_; }
   [[nodiscard]] std::uint32_t where() const { return where_; }
-  /// Of all that there is to look at, 0 to 1.
+  /// The share that has been looked at, 0 to 1.
   [[nodiscard]] double progress() const;
 
  private:

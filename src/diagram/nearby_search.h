@@ -97,7 +97,7 @@ class NearbySearch {
     return site == kNone ? kNoSite : surface_.idOf(site);
   }
 
-  // Of the site that came last.
+  // These ask about the site that came last.
 
   /// Infinite before the first and after the last.
   [[nodiscard]] double distance() const {

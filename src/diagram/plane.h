@@ -17,7 +17,7 @@ class Plane {
 
   struct Entry {
     double distance;
-    double bound;  // of its error
+    double bound;  // the error is not larger
     Slot site;
   };
 

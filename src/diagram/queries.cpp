@@ -30,7 +30,7 @@ bool meets(const Site& site, const Rectangle& r) {
 /// Where a window has no limit, it ends where the circles end: seen from the middle of one that
 /// does not, all sites would be at one distance but for what only exact arithmetic can tell. Cost:
 /// O(length of the hull). REQUIRES: not empty.
-Rectangle withoutEmptySides(const DiagramCore& diagram, const Rectangle& window) {
+Rectangle endingWithCircles(const DiagramCore& diagram, const Rectangle& window) {
   const double far = kLargestMagnitude;
   if (window.xmin > -far && window.ymin > -far && window.xmax < far && window.ymax < far)
     return window;
@@ -200,7 +200,7 @@ void listMeeting(const DiagramCore& diagram, double xmin, double ymin, double xm
                  std::vector<SiteId>& sites) {
   sites.clear();
   if (diagram.visibleCount() == 0) return;
-  const Rectangle window = withoutEmptySides(diagram, {xmin, ymin, xmax, ymax});
+  const Rectangle window = endingWithCircles(diagram, {xmin, ymin, xmax, ymax});
   if (window.xmin > window.xmax || window.ymin > window.ymax) return;
   WindowSearch(diagram, window).list(sites);
 }

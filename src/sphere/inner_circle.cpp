@@ -31,8 +31,8 @@ namespace apollonius::internal::sphere {
 
 namespace {
 
-constexpr double kGap = 0x1p-11;    // of the best circle, by which a better one is not looked for
-constexpr double kSlack = 0x1p-13;  // of the circle's radius
+constexpr double kGap = 0x1p-11;    // a circle that is larger by this share is not looked for
+constexpr double kSlack = 0x1p-13;  // as a share of the circle's radius
 constexpr double kCoarse = 1e-3, kFinest = 1e-15;  // slacks in radians
 constexpr double kSmallest = 0x1p-50;              // half the side of a square
 constexpr int kMostLooks = 1 << 20;
@@ -40,13 +40,13 @@ constexpr int kMostLooks = 1 << 20;
 /// An arc of the border, the cell on its left.
 struct Arc {
   Direction a, b;
-  Direction normal;        // of its great circle, a unit vector
+  Direction normal;        // unit vector at right angles to its great circle
   Direction fromA, fromB;  // along the great circle, into the arc
 };
 
 /// A square of a face of the cube.
 struct Square {
-  double bound;  // of the distance from the border
+  double bound;  // no place in it is farther from the border
   double u, v, half;
   std::uint8_t face;
 

@@ -34,7 +34,7 @@ class Restoring {
     return state;
   }
 
-  /// Of all that there is to do, 0 to 1, as far as time can be foreseen.
+  /// The share of the work that is done, 0 to 1, as far as time can be foreseen.
   [[nodiscard]] double progress() const;
 
  private:

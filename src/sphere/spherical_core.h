@@ -35,6 +35,8 @@ class SphericalCore {
   [[nodiscard]] const ProjectedDiagram& projected() const { return projected_; }
   /// Another number after each change.
   [[nodiscard]] std::uint64_t revision() const { return revision_; }
+  /// Comes after another state of the same diagram.
+  void follow(const SphericalCore& before) { revision_ = before.revision_ + 1; }
   /// For drawing the next pole.
   [[nodiscard]] std::uint64_t seed() const { return seed_; }
 

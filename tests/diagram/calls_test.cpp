@@ -1,5 +1,5 @@
-// What the calls of both diagrams promise alike, apart from what they compute: what is refused,
-// and changes nothing; what an empty diagram gives; lists of sites; the search that goes on.
+// Calls of both diagrams keep the same promises, apart from their answers: refusals change nothing,
+// an empty diagram gives nothing, sites are listed, a search goes on.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -26,7 +26,7 @@ class CallsOn : public ::testing::Test {
   /// Site 1 is hidden.
   static Triples threeSites() { return {10, 20, 0.5, 10.1, 20, 0.1, -100, 0, 0.1}; }
 
-  /// What a search gives, one by one.
+  /// Lists the sites that a search has left.
   static std::vector<SiteId> rest(NearestFirst& search) {
     std::vector<SiteId> found;
     for (SiteId id = 0;;) {
@@ -276,6 +276,11 @@ TYPED_TEST(CallsOn, RevisionsChangeWithTheDiagram) {
   expectChange();
   ASSERT_EQ(diagram.find(1, 2, id), Error::kNone);
   EXPECT_EQ(diagram.revision(), last);
+  // Nor does a snapshot bring back a number that there was.
+  for (int k = 0; k < 3; ++k) {
+    ASSERT_EQ(diagram.fromBytes(saved(diagram)), Error::kNone);
+    expectChange();
+  }
   diagram.clear();
   expectChange();
 }

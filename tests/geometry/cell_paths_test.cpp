@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
 #include <string>
 #include <vector>
@@ -20,9 +21,8 @@ std::string written(double x, unsigned digits) {
   Path path;
   path.move(x, 0);
   std::vector<std::uint8_t> text;
-  const double* end =
-      internal::PathWriter(digits).write(path.commands, path.coordinates.data(), text);
-  return end != nullptr ? std::string(text.begin(), text.end()) : "too long";
+  return internal::PathWriter(digits).write(path, text) ? std::string(text.begin(), text.end())
+                                                        : "too long";
 }
 
 TEST(PathWriter, WritesNumbersAsJavaScriptDoes) {
@@ -62,13 +62,23 @@ Path parsed(const std::string& text) {
   return path;
 }
 
-TEST(CellPaths, AreTheDrawingsOfTheCells) {
-  Random random(14);
-  const Circles circles = randomCircles(random, 60, Hidden::k20Percent);
+/// Random circles, of which some are hidden and some are outside of the window.
+struct Scene {
+  Scene(std::uint64_t seed, std::size_t n) {
+    Random random(seed);
+    circles = randomCircles(random, n, Hidden::k20Percent);
+    insertInto(diagram, circles);
+    EXPECT_TRUE(windowAround(circles, -0.3, bounds));
+  }
+
+  Circles circles;
   Diagram diagram;
-  insertInto(diagram, circles);
   Bounds bounds;
-  ASSERT_TRUE(windowAround(circles, -0.3, bounds));
+};
+
+TEST(CellPaths, AreTheDrawingsOfTheCells) {
+  const Scene scene(14, 60);
+  const auto& [circles, diagram, bounds] = scene;
   const Voronoi voronoi(diagram, bounds);
   const double tolerance = (bounds.xmax - bounds.xmin) / 1000;
   std::vector<bool> isDrawn(circles.size(), false);
@@ -102,13 +112,8 @@ TEST(CellPaths, AreTheDrawingsOfTheCells) {
 }
 
 TEST(CellDrawings, AreTheDrawingsOfTheCellsOneAfterTheOther) {
-  Random random(15);
-  const Circles circles = randomCircles(random, 80, Hidden::k20Percent);
-  Diagram diagram;
-  insertInto(diagram, circles);
-  Bounds bounds;
-  ASSERT_TRUE(windowAround(circles, -0.3, bounds));
-  const Voronoi voronoi(diagram, bounds);
+  const Scene scene(15, 80);
+  const Voronoi voronoi(scene.diagram, scene.bounds);
   std::size_t drawn = 0;
   Portion portion{0, 25};
   while (!portion.isDone) {

@@ -1,5 +1,5 @@
-// What only the sphere's calls have, apart from what they compute: what is refused, and what a
-// hidden site or an empty diagram gives. What both surfaces have: diagram/calls_test.cpp.
+// The sphere's own calls refuse wrong arguments, and say what a hidden site or an empty diagram
+// has. diagram/calls_test.cpp has the calls of both surfaces.
 #include <gtest/gtest.h>
 
 #include <algorithm>

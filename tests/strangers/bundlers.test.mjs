@@ -14,7 +14,7 @@ const use = (diagnostics) =>
   "const d = new Diagram([0, 0, 1, 9, 0, 2]);\n" +
   "globalThis.report(`${d.find(8, 0)} ${d.size} ${validate(d)}`);\n";
 const programs = {
-  main: 'import { Diagram } from "apollonius-diagram";\n' + use("apollonius-diagram/diagnostics"),
+  main: `import { Diagram } from "apollonius-diagram";\n${use("apollonius-diagram/diagnostics")}`,
   error:
     'import { ApolloniusError } from "apollonius-diagram";\n' +
     'globalThis.report(new ApolloniusError("broken", "why").message);\n',

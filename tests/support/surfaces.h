@@ -117,7 +117,7 @@ typename Surface::Diagram madeOf(const Triples& triples) {
   return diagram;
 }
 
-/// The neighbours of each site, ascending, and nothing where there is none.
+/// Lists the neighbours of each id, ascending; the list of an id without a site is empty.
 template <class Diagram>
 std::vector<std::vector<SiteId>> allNeighbors(const Diagram& diagram) {
   std::vector<std::vector<SiteId>> all(diagram.idLimit());

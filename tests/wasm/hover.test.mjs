@@ -1,4 +1,4 @@
-// What an editor shows of a call: names of both surfaces, units, errors, cost, an example.
+// An editor shows of each call its surface's names, units, errors, cost and an example.
 import { writeFileSync } from "node:fs";
 import path from "node:path";
 import ts from "typescript";

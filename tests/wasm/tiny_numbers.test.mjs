@@ -94,7 +94,7 @@ test.each(kTiny)("views with %p are those with 0", (tiny) => {
   expectRefusal(() => view.fitAreas([1, tiny, 1]), "bad-target", "expected a number above 0");
 });
 
-test("a tiny padding of a treemap is none", () => {
+test("treemap().padding(1e-320) lays out as padding(0) does", () => {
   const polygons = (padding) => {
     const root = hierarchy({ children: [{ value: 1 }, { value: 2 }] }).sum((d) => d.value ?? 0);
     return treemap()

@@ -1,7 +1,7 @@
 #include "geometry/clipping/cell_drawing.h"
 
+#include <cstddef>
 #include <span>
-#include <utility>
 
 #include "geometry/draw/cubics.h"
 #include "geometry/draw/path_writer.h"
@@ -21,6 +21,21 @@ void drawClosed(std::span<const BoundaryPiece> ring, Tolerance tolerance, Path& 
   path.close();
 }
 
+/// Gives draw(slot, cell) the cells from the cursor on, until the commands that it counts make a
+/// portion.
+template <class Draw>
+void visitCells(const DiagramCore& core, const Clipping& clipping, Portion& portion, Draw&& draw) {
+  const auto cells = clipping.cells(Parts::kWithArea);
+  cells->expectAll();
+  // By slot: as sites lie in memory, they lie in the plane.
+  for (std::size_t drawn = 0; portion.cursor < core.ids().slots(); ++portion.cursor) {
+    if (drawn >= portion.commands) return;
+    const auto slot = static_cast<Slot>(portion.cursor);
+    drawn += draw(slot, cells->find(slot));
+  }
+  portion.isDone = true;
+}
+
 }  // namespace
 
 void drawCell(const Cell& cell, Tolerance tolerance, Path& path) {
@@ -32,41 +47,34 @@ void drawCells(const DiagramCore& core, const Clipping& clipping, Tolerance tole
                Portion& portion, CellDrawings& drawings) {
   drawings = {};
   Path& path = drawings.content;
-  const auto cells = clipping.cells(Parts::kWithArea);
-  cells->expectAll();
-  // By slot: as sites lie in memory, they lie in the plane.
-  for (; portion.cursor < core.ids().slots(); ++portion.cursor) {
-    const std::size_t drawn = path.commands.size();
-    if (drawn >= portion.commands) return;
-    const auto slot = static_cast<Slot>(portion.cursor);
-    drawCell(cells->find(slot), tolerance, path);
-    if (path.commands.size() == drawn) continue;
+  visitCells(core, clipping, portion, [&](Slot slot, const Cell& cell) {
+    const std::size_t before = path.commands.size();
+    drawCell(cell, tolerance, path);
+    if (path.commands.size() == before) return std::size_t{0};
     drawings.ends.push_back(core.ids().idOf(slot));
     drawings.ends.push_back(static_cast<double>(path.commands.size()));
-  }
-  portion.isDone = true;
+    return path.commands.size() - before;
+  });
 }
 
 void writeCells(const DiagramCore& core, const Clipping& clipping, Tolerance tolerance,
                 unsigned digits, Portion& portion, CellPaths& paths) {
-  CellDrawings drawings;
-  drawCells(core, clipping, tolerance, portion, drawings);
-  paths = {{}, std::move(drawings.ends)};
+  paths = {};
   PathWriter writer(digits);
-  const double* numbers = drawings.content.coordinates.data();
-  const std::span<const std::uint8_t> commands(drawings.content.commands);
-  std::size_t from = 0;
-  for (std::size_t k = 1; k < paths.ends.size(); k += 2) {
-    const auto to = static_cast<std::size_t>(paths.ends[k]);
-    numbers = writer.write(commands.subspan(from, to - from), numbers, paths.content);
-    if (numbers == nullptr) {
-      portion.isDone = false;
-      paths.ends.clear();
-      return;
-    }
-    paths.ends[k] = static_cast<double>(paths.content.size());
-    from = to;
-  }
+  Path path;
+  bool isWritten = true;
+  visitCells(core, clipping, portion, [&](Slot slot, const Cell& cell) {
+    path.clear();
+    drawCell(cell, tolerance, path);
+    if (path.commands.empty()) return std::size_t{0};
+    isWritten = writer.write(path, paths.content);
+    paths.ends.push_back(core.ids().idOf(slot));
+    paths.ends.push_back(static_cast<double>(paths.content.size()));
+    return isWritten ? path.commands.size() : portion.commands;  // or else it is the last one
+  });
+  if (isWritten) return;
+  portion.isDone = false;
+  paths.ends.clear();
 }
 
 }  // namespace apollonius::internal

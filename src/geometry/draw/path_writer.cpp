@@ -14,7 +14,7 @@ namespace {
 constexpr double kTooLarge = 1e15;        // has kMostDigits + 1
 constexpr std::size_t kMostOfPoint = 48;  // characters: a letter or comma, a sign, 15 digits, ".",
                                           // up to "e-15" or a few zeros; twice
-constexpr std::array<std::uint8_t, 4> kLetters{'M', 'L', 'C', 'Z'};  // by apollonius::Command
+constexpr std::array<std::uint8_t, 4> kLetters{'M', 'L', 'C', 'Z'};  // by Command
 constexpr std::array<std::size_t, 4> kPointsOf{1, 1, 3, 0};
 
 }  // namespace
@@ -23,22 +23,21 @@ PathWriter::PathWriter(unsigned digits) : digits_(digits) {
   for (unsigned k = 0; k < digits; ++k) scale_ *= 10;  // exact
 }
 
-const double* PathWriter::write(std::span<const std::uint8_t> commands, const double* numbers,
-                                std::vector<std::uint8_t>& text) {
-  std::size_t most = commands.size();
-  for (const std::uint8_t command : commands) most += kMostOfPoint * kPointsOf[command];
+bool PathWriter::write(const Path& path, std::vector<std::uint8_t>& text) {
+  const std::size_t most = path.commands.size() + kMostOfPoint * (path.coordinates.size() / 2);
   if (scratch_.size() < most) scratch_.resize(2 * most);
   std::uint8_t* to = scratch_.data();
-  for (const std::uint8_t command : commands) {
+  const double* number = path.coordinates.data();
+  for (const std::uint8_t command : path.commands) {
     *to++ = kLetters[command];
     for (std::size_t k = 0; k < 2 * kPointsOf[command]; ++k) {
       if (k > 0) *to++ = ',';
-      to = writeNumber(*numbers++, to);
-      if (to == nullptr) return nullptr;
+      to = writeNumber(*number++, to);
+      if (to == nullptr) return false;
     }
   }
   text.insert(text.end(), scratch_.data(), to);
-  return numbers;
+  return true;
 }
 
 std::uint8_t* PathWriter::writeNumber(double x, std::uint8_t* to) const {

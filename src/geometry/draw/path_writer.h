@@ -3,9 +3,9 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
+#include "apollonius/path.h"
 #include "base/flat_array.h"
 
 namespace apollonius::internal {
@@ -19,11 +19,9 @@ class PathWriter {
   /// Numbers are rounded to this many decimal places, halves upwards. REQUIRES: <= kMostDigits.
   explicit PathWriter(unsigned digits);
 
-  /// Adds commands (of apollonius::Command) and their numbers to the text, and returns the end of
-  /// the numbers; nullptr, and no text, if one has more than kMostDigits digits when it is rounded.
-  /// Throws std::bad_alloc, std::length_error.
-  [[nodiscard]] const double* write(std::span<const std::uint8_t> commands, const double* numbers,
-                                    std::vector<std::uint8_t>& text);
+  /// Adds it to the text. false if a number has more than kMostDigits digits when it is rounded:
+  /// then a part is missing. Throws std::bad_alloc, std::length_error.
+  [[nodiscard]] bool write(const Path& path, std::vector<std::uint8_t>& text);
 
  private:
   /// Writes a number at `to` and returns its end; nullptr if it has too many digits.

@@ -93,14 +93,9 @@ function radiusWithoutR(item: unknown, index: number): 0 {
 /** The remedy for an item with a longitude under whatever name, if there is no accessor of it. */
 function hintOfPlace(item: unknown): string {
   if (typeof item !== "object" || item === null) return "";
-  const names = [
-    ["lng", "lat"],
-    ["lon", "lat"],
-    ["longitude", "latitude"],
-  ].find(([lon]) => lon! in item);
-  return names
-    ? `: SphericalDiagram.from(items, (d) => d.${names[0]}, (d) => d.${names[1]}) reads places`
-    : "";
+  const lon = ["lng", "lon", "longitude"].find((name) => name in item);
+  const lat = lon === "longitude" ? "latitude" : "lat";
+  return lon ? `: SphericalDiagram.from(items, (d) => d.${lon}, (d) => d.${lat}) reads places` : "";
 }
 
 /** Stands for an item whose coordinates are both read by accessors. */

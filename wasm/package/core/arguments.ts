@@ -38,7 +38,7 @@ export function numberError(name: string, value: unknown): ApolloniusError | nul
   return null;
 }
 
-/** What a number is taken as, as in src/apollonius/types.h: 0 if it is smaller, and for -0. */
+/** Takes a number as the library does (src/apollonius/types.h): below 1e-100, and -0, as 0. */
 export function taken(value: number): number {
   return Math.abs(value) < kSmallestMagnitude ? 0 : value;
 }
@@ -201,7 +201,7 @@ export function checkedBytes(name: string, given: unknown): Uint8Array {
   return checkedArray(name, bytes, "bytes") as Uint8Array;
 }
 
-/** Of whatever realm; false for one that has lost its memory. */
+/** Is it an ArrayBuffer, of whatever realm, that still has its memory? */
 function isArrayBuffer(given: unknown): given is ArrayBuffer {
   try {
     ArrayBuffer.prototype.slice.call(given as ArrayBuffer, 0, 0);

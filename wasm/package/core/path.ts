@@ -35,14 +35,19 @@ const kMove = 0;
 const kLine = 1;
 const kCurve = 2;
 
-/** Plays commands and their coordinates, from element `k` of these on; returns where they end. */
+/**
+ * Plays commands and their coordinates, which begin at element `k`: the commands from one to before
+ * another. Returns where their coordinates end.
+ */
 export function play(
   context: PathContext,
   commands: Uint8Array,
   xy: Float64Array,
   k: number = 0,
+  from: number = 0,
+  to: number = commands.length,
 ): number {
-  for (let i = 0; i < commands.length; ++i) {
+  for (let i = from; i < to; ++i) {
     const command = commands[i];
     if (command === kMove) {
       context.moveTo(xy[k] as number, xy[k + 1] as number);
@@ -111,7 +116,7 @@ export class PathString implements PathContext {
   }
 }
 
-/** What can be drawn into; throws "bad-option". */
+/** Returns the context if it can be drawn into; throws "bad-option". */
 export function checkedContext<Context extends PathContext>(context: Context): Context {
   for (const name of ["moveTo", "lineTo", "bezierCurveTo", "closePath"] as const)
     if (typeof context?.[name] !== "function")

@@ -30,7 +30,7 @@ export function drawCells(
   if (typeof each !== "function")
     throw new ApolloniusError(
       "bad-option",
-      `each is ${described(each)}, expected a function of an id, which fills the path, say`,
+      `each is ${described(each)}, expected a function of an id, such as one that fills the path`,
     );
   for (let cursor = 0, isDone = false; !isDone; ) {
     const portion = native.drawCells(...windowNow(), tolerance, cursor, kPortion);
@@ -38,7 +38,7 @@ export function drawCells(
     for (let k = 0, from = 0, xy = 0; k < ends.length; k += 2) {
       const to = ends[k + 1]!;
       context.beginPath?.();
-      xy = play(context, commands.subarray(from, to), coordinates, xy);
+      xy = play(context, commands, coordinates, xy, from, to);
       each(ends[k]!);
       from = to;
     }

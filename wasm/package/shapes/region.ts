@@ -79,7 +79,7 @@ function bad(message: string): ApolloniusError {
   return new ApolloniusError("bad-bounds", message);
 }
 
-const kHalvings = 7; // of the quarters of a disc's circle
+const kHalvings = 7; // how often each quarter of a disc's circle is halved
 
 /** The circle of a disc as a ring; undefined if it is none. Throws "bad-bounds". */
 function ringOfDisc(disc: unknown): [number, number][] | undefined {
