@@ -83,6 +83,7 @@ const rules = [
     polygons: "curve|window|cell",
     draw: "curve|window",
     clipping: "curve|window|cell|draw",
+    inscribed: "curve|window|cell|clipping",
     enclosing: "",
   }),
   {
@@ -127,7 +128,7 @@ const rules = [
     may: [
       /^\.\/\w+\.js$/,
       /^\.\.\/(core\/(native\/)?\w+|errors)\.js$/,
-      /^\.\.\/shapes\/(by_id|edges|geojson|interpolation|limits|types)\.js$/,
+      /^\.\.\/shapes\/(by_id|circles|edges|geojson|interpolation|limits|types)\.js$/,
       /^\.\.\/\.\.\/\.\.\/build\/wasm\/apollonius\.mjs$/,
     ],
   },

@@ -13,25 +13,25 @@ export const uses = {
     code:
       'import { Diagram } from "apollonius-diagram/core"; ' +
       "globalThis.answer = new Diagram([0, 0, 1]).find(0, 0);",
-    budget: 100_450,
+    budget: 100_850,
   },
   default: {
     code:
       'import { Diagram } from "apollonius-diagram"; ' +
       "globalThis.answer = new Diagram([0, 0, 1]).voronoi().render();",
-    budget: 179_900,
+    budget: 186_700,
   },
   sphere: {
     code:
       'import { SphericalDiagram } from "apollonius-diagram/sphere"; ' +
       "globalThis.answer = new SphericalDiagram([0, 0, 1]).find(0, 0);",
-    budget: 143_350,
+    budget: 144_000,
   },
   treemap: {
     code:
       'import { treemap } from "apollonius-diagram/treemap"; ' +
       "globalThis.answer = treemap()(globalThis.root);",
-    budget: 187_500,
+    budget: 194_650,
   },
 };
 

@@ -8,6 +8,7 @@
 
 #include "api/checks.h"
 #include "api/region_state.h"
+#include "geometry/curve/moments.h"
 #include "number/sum.h"
 
 namespace apollonius {
@@ -32,6 +33,17 @@ double insideOf(const NormalizedPolygon& polygon) {
   return sum.value();
 }
 
+Point centroidOf(const NormalizedPolygon& polygon) {
+  const Point origin = polygon.box.center();
+  Moments sum;
+  for (std::size_t k = 0; k < polygon.ringCount(); ++k) {
+    const auto ring = polygon.ring(k);
+    for (std::size_t n = 0; n < ring.size(); ++n)
+      sum.add(Conic::segment(ring[n], ring[n + 1 < ring.size() ? n + 1 : 0]), origin);
+  }
+  return origin + (1 / sum.area) * sum.first;
+}
+
 }  // namespace
 
 Region::Region() noexcept = default;
@@ -46,6 +58,7 @@ Error Region::assign(std::span<const double> coordinates, std::span<const std::u
     state->polygon = normalizePolygon(TakenNumbers(coordinates), starts);
     state->area = insideOf(state->polygon);
     if (!(state->area > 0)) return Error::kBadBounds;
+    state->centroid = centroidOf(state->polygon);
     state_ = std::move(state);
     return Error::kNone;
   } catch (const std::bad_alloc&) {
@@ -83,5 +96,7 @@ bool Region::contains(double x, double y) const noexcept {
 }
 
 double Region::area() const noexcept { return state_ == nullptr ? 0 : state_->area; }
+double Region::centroidX() const noexcept { return state_ == nullptr ? 0 : state_->centroid.x; }
+double Region::centroidY() const noexcept { return state_ == nullptr ? 0 : state_->centroid.y; }
 
 }  // namespace apollonius

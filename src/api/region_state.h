@@ -12,6 +12,7 @@ namespace apollonius::internal {
 struct RegionState {
   NormalizedPolygon polygon;
   double area = 0;
+  Point centroid;
 
   /// For a diagram whose state has this number; made anew only if it is not the last one. Throws
   /// std::bad_alloc.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <new>
 #include <vector>
 
 #include "api/checks.h"
@@ -18,6 +19,8 @@
 #include "geometry/draw/hull.h"
 #include "geometry/draw/path_writer.h"
 #include "geometry/draw/render.h"
+#include "geometry/inscribed/empty_circles.h"
+#include "geometry/inscribed/inner_circle.h"
 #include "geometry/polygons/cell_polygon.h"
 #include "geometry/polygons/coverage.h"
 
@@ -102,7 +105,53 @@ Tolerance toleranceIn(const Bounds& window, double given) {
   return given > 0 ? Tolerance{given} : Tolerance{defaultTolerance(window), kDefaultShare};
 }
 
+constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
+constexpr Circle kNoCircle{kNoNumber, kNoNumber, kNoNumber};
+
+Error aspectError(double aspect) {
+  if (!std::isfinite(aspect)) return Error::kNotFinite;
+  return aspect >= 1 / kMostAspect && aspect <= kMostAspect ? Error::kNone : Error::kOutOfRange;
+}
+
+/// The largest circle inside a cell, if that has a part; false if the search does not end. `curves`
+/// is scratch.
+bool findIn(const Cell& cell, double aspect, InnerCircleFinder& finder, FlatArray<Conic>& curves,
+            Circle& circle) {
+  if (cell.pieces.empty()) return true;
+  copyCurves(cell, curves);
+  Place place;
+  const bool isFound = finder.find(curves, cell.starts, aspect, place);
+  circle = {place.at.x, place.at.y, place.r};
+  return isFound;
+}
+
 }  // namespace
+
+Error innerCircle(std::span<const double> curves, std::span<const std::uint32_t> starts,
+                  double aspect, Circle& circle) {
+  circle = kNoCircle;
+  constexpr std::size_t kOfCurve = 7;
+  bool isGood = curves.size() % kOfCurve == 0 && !starts.empty() && starts.front() == 0 &&
+                starts.back() == curves.size() / kOfCurve;
+  for (std::size_t k = 1; k < starts.size(); ++k) isGood = isGood && starts[k] > starts[k - 1];
+  const Error error =
+      firstOf(isGood ? Error::kNone : Error::kBadLength, aspectError(aspect), checkNumbers(curves));
+  if (error != Error::kNone || curves.empty()) return error;
+  try {
+    FlatArray<Conic> outline;
+    for (std::size_t k = 0; k < curves.size(); k += kOfCurve) {
+      const double* at = &curves[k];
+      outline.push_back({{at[0], at[1]}, {at[2], at[3]}, at[4], {at[5], at[6]}});
+    }
+    InnerCircleFinder finder;
+    Place place;
+    if (!finder.find(outline, starts, aspect, place)) return Error::kNoConvergence;
+    circle = {place.at.x, place.at.y, place.r};
+    return Error::kNone;
+  } catch (const std::bad_alloc&) {
+    return Error::kOutOfMemory;
+  }
+}
 
 Bounds Voronoi::extentOf(const Diagram& diagram) {
   const DiagramCore& core = *diagram.core_;
@@ -289,6 +338,55 @@ Error Voronoi::cellCentroids(std::vector<double>& centroids) const {
 
 Error Voronoi::cellPerimeters(std::vector<double>& perimeters) const {
   return measureAll(Measure::kPerimeters, perimeters);
+}
+
+Error Voronoi::cellCircle(SiteId id, double aspect, Circle& circle) const {
+  circle = kNoCircle;
+  std::vector<double> one;
+  const Error error = firstOf(windowError(), siteError(id));
+  if (error != Error::kNone) return error;
+  if (const Error failed = cellCirclesBetween(id, id + 1, aspect, one); failed != Error::kNone)
+    return failed;
+  circle = {one[0], one[1], one[2]};
+  return Error::kNone;
+}
+
+Error Voronoi::cellCirclesBetween(SiteId first, SiteId end, double aspect,
+                                  std::vector<double>& circles) const {
+  bool isFound = true;
+  const Error before = firstOf(windowError(), aspectError(aspect));
+  const Error error = clipped(before, [&](const Clipping& clipping) {
+    const IdPool& ids = diagram_.core_->ids();
+    const auto last = std::min<std::size_t>(end, ids.idLimit());
+    circles.assign(last > first ? 3 * (last - first) : 0, kNoCircle.r);
+    const auto cells = clipping.cells(Parts::kWithArea);
+    InnerCircleFinder finder;
+    FlatArray<Conic> curves;
+    for (SiteId id = first; id < last && isFound; ++id) {
+      const Slot slot = ids.slotOf(id);
+      if (slot == kNoSlot) continue;
+      Circle circle = kNoCircle;
+      isFound = findIn(cells->find(slot), aspect, finder, curves, circle);
+      double* const at = &circles[3 * std::size_t{id - first}];
+      at[0] = circle.x;
+      at[1] = circle.y;
+      at[2] = circle.r;
+    }
+  });
+  return error == Error::kNone && !isFound ? Error::kNoConvergence : error;
+}
+
+Error Voronoi::emptyCircles(std::size_t most, bool inside, VertexArrays& circles) const {
+  if (reach_ != nullptr) {
+    const Voronoi whole =
+        region_ != nullptr ? Voronoi(diagram_, *region_) : Voronoi(diagram_, bounds_);
+    return whole.emptyCircles(most, inside, circles);
+  }
+  bool isFound = true;
+  const Error error = clipped(windowError(), [&](const Clipping& clipping) {
+    isFound = listEmptyCircles(*diagram_.core_, clipping, most, inside, circles);
+  });
+  return error == Error::kNone && !isFound ? Error::kNoConvergence : error;
 }
 
 Error Voronoi::naturalWeights(double x, double y, double r, NaturalWeights& found) const {

@@ -38,7 +38,10 @@ class APOLLONIUS_EXPORT Region {
 
   /// The box of what is inside; the default Bounds for a region that has not been assigned.
   [[nodiscard]] Bounds box() const noexcept;
+  /// 0, as are both below, for a region that has not been assigned.
   [[nodiscard]] double area() const noexcept;
+  [[nodiscard]] double centroidX() const noexcept;
+  [[nodiscard]] double centroidY() const noexcept;
   /// Is a point inside or on the border that draw() draws? Exact. false unless x and y are finite.
   /// Cost: O(m).
   [[nodiscard]] bool contains(double x, double y) const noexcept;

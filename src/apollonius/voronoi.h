@@ -102,6 +102,17 @@ struct NaturalWeights {
 /// A tolerance for drawings in a window that is too small to be seen: 2^-13 of its diagonal.
 [[nodiscard]] APOLLONIUS_EXPORT double defaultTolerance(const Bounds& bounds);
 
+/// The largest aspect of an ellipse inside; 1 / kMostAspect is the smallest.
+inline constexpr double kMostAspect = 1000;
+
+/// The largest circle inside rings of curves, seven numbers each; starts[k] is the first curve of
+/// ring k, and the last entry the number of curves. As Voronoi::cellCircle(); NaN without curves.
+/// Errors: kBadLength unless lengths and starts fit, kNotFinite, kOutOfRange, kNoConvergence,
+/// kOutOfMemory.
+[[nodiscard]] APOLLONIUS_EXPORT Error innerCircle(std::span<const double> curves,
+                                                  std::span<const std::uint32_t> starts,
+                                                  double aspect, Circle& circle);
+
 class APOLLONIUS_EXPORT Voronoi {
  public:
   // With a reach, which must live as long, cells end at these distances from their sites' circles:
@@ -160,6 +171,28 @@ class APOLLONIUS_EXPORT Voronoi {
   [[nodiscard]] Error cellCentroids(std::vector<double>& centroids) const;
   /// The perimeter of every cell, by id; 0 for ids without one. Cost: O(h)
   [[nodiscard]] Error cellPerimeters(std::vector<double>& perimeters) const;
+
+  // Circles inside, and empty ones. Errors also: kNoConvergence if a border that comes back to
+  // itself but for rounding keeps the search from ending.
+
+  /// The largest circle inside a cell: r is at least 0.999 of the largest possible, and the circle
+  /// is inside but for rounding. NaN if no part of the cell is in the window. With another aspect
+  /// than 1, the largest ellipse that is as many times as wide as high: r is half its height.
+  /// Errors also: kNotFinite, kOutOfRange unless the aspect is from 1 / kMostAspect to kMostAspect.
+  /// Cost: O(d log d), with a constant of some ten looks, of some thousand in long thin rings.
+  [[nodiscard]] Error cellCircle(SiteId id, double aspect, Circle& circle) const;
+  /// Those of the sites with ids from `first` to before `end`, x, y and r of each; NaN for ids
+  /// without one. Cost: that of cellCircle() for each.
+  [[nodiscard]] Error cellCirclesBetween(SiteId first, SiteId end, double aspect,
+                                         std::vector<double>& circles) const;
+  /// The `most` largest circles that no site reaches into, with their centres in the window, the
+  /// largest first, none of which has its centre in one before it: centre, the distance to the
+  /// nearest site (below 0 where sites cover the window), and that one site a row. With `inside`,
+  /// those that do not cross the window's border: these are chosen from the circles about Voronoi
+  /// vertices and the largest one of each cell at the border, whose r is at least 0.999 of the
+  /// largest possible. A reach does not matter. Cost: O(n (log n + most)); with `inside` also that
+  /// of cellCircle() for each cell at the border that is searched.
+  [[nodiscard]] Error emptyCircles(std::size_t most, bool inside, VertexArrays& circles) const;
 
   /// The natural neighbours of a new circle (Sibson): from which cells in the window it would take
   /// something, and which share of its own from each. One that covers it is the only one. None

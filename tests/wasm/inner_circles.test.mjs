@@ -239,6 +239,22 @@ describe("domains that are thin, at any angle", () => {
   });
 });
 
+test("cellCirclesAsync says what cellCircles says", async () => {
+  const random = generator(88);
+  const diagram = Diagram.from(randomSites(random, 300, 3));
+  for (const { maxDistance } of [{}, { maxDistance: 4 }, { maxDistance: (id) => id % 7 }]) {
+    const view = diagram.voronoi([0, 0, 100, 60], { maxDistance });
+    const told = [];
+    const options = { aspect: 2, onProgress: (share) => told.push(share) };
+    expect(await view.cellCirclesAsync(options)).toEqual(view.cellCircles({ aspect: 2 }));
+    expect([...told].sort((a, b) => a - b)).toEqual(told);
+    expect(told.at(-1)).toBe(1);
+  }
+  const reason = new Error("enough");
+  const aborted = diagram.voronoi().cellCirclesAsync({ signal: AbortSignal.abort(reason) });
+  await expect(aborted).rejects.toBe(reason);
+});
+
 // All distances grow to the side of a cell's box, and beyond it.
 test("of sites on a circle about the window's corner", () => {
   const sites = Array.from({ length: 150 }, (_, k) => [Math.cos(k), Math.sin(k), 0]);

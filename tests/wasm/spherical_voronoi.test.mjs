@@ -272,6 +272,24 @@ test("interpolateAsync tells its progress, can be aborted, and notices changes",
   await expect(view.interpolateAsync([1], places)).rejects.toMatchObject({ code: "bad-length" });
 });
 
+test("cellCirclesAsync says what cellCircles says, and notices changes", async () => {
+  const diagram = new SphericalDiagram(sites(120, 0).flat());
+  for (const limit of [undefined, 900, (id) => 300 + id]) {
+    const view = diagram.voronoi({ maxDistance: limit });
+    const told = [];
+    const circles = await view.cellCirclesAsync({ onProgress: (share) => told.push(share) });
+    expect(circles).toEqual(view.cellCircles());
+    expect([...told].sort((a, b) => a - b)).toEqual(told);
+    expect(told.at(-1)).toBe(1);
+  }
+  const reason = new Error("enough");
+  const view = diagram.voronoi();
+  await expect(view.cellCirclesAsync({ signal: AbortSignal.abort(reason) })).rejects.toBe(reason);
+  const later = view.cellCirclesAsync();
+  diagram.remove(3);
+  await expect(later).rejects.toMatchObject({ code: "busy" });
+});
+
 // The same question has the same name, number of arguments and kind of answer on both surfaces.
 test("a view of the sphere has the calls of the plane's, but for what the reference says", () => {
   const lacking = ["cellCurves", "cellParts", "dispose", "edgeCurves"];

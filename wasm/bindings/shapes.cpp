@@ -161,6 +161,14 @@ Portion drawRegion(const Diagram&, const Region& region) {
   return {std::move(path.commands), std::move(path.coordinates)};
 }
 
+apollonius::Circle innerCircle(const Diagram&, const NumbersIn& curves, const NumbersIn& starts,
+                               double aspect) {
+  apollonius::Circle circle{};
+  check(apollonius::innerCircle(vectorOf<double>(curves), vectorOf<std::uint32_t>(starts), aspect,
+                                circle));
+  return circle;
+}
+
 double defaultTolerance(const Diagram&, double xmin, double ymin, double xmax, double ymax) {
   return apollonius::defaultTolerance({xmin, ymin, xmax, ymax});
 }
@@ -254,7 +262,12 @@ void registerShapes() {
       .field("cursor", &Portion::cursor)
       .field("isDone", &Portion::isDone);
 
-  class_<Region>("Region").function("box", &Region::box).function("contains", &Region::contains);
+  class_<Region>("Region")
+      .function("box", &Region::box)
+      .function("area", &Region::area)
+      .function("centroidX", &Region::centroidX)
+      .function("centroidY", &Region::centroidY)
+      .function("contains", &Region::contains);
   class_<Reach>("Reach");
   class_<Fitting>("Fitting")
       .function("step", &stepFit)
@@ -263,6 +276,10 @@ void registerShapes() {
       .function("badSite", &badSite)
       .function("weights", &fitWeights);
 
+  function("cellCircle", inWindow<&Voronoi::cellCircle>(), allow_raw_pointers());
+  function("cellCirclesBetween", inWindow<&Voronoi::cellCirclesBetween>(), allow_raw_pointers());
+  function("emptyCircles", inWindow<&Voronoi::emptyCircles>(), allow_raw_pointers(), moved);
+  function("innerCircle", &innerCircle);
   function("naturalWeights", inWindow<&Voronoi::naturalWeights>(), allow_raw_pointers());
   function("interpolate", &interpolate, allow_raw_pointers());
   function("defaultTolerance", &defaultTolerance);

@@ -4,9 +4,11 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "apollonius/path.h"
+#include "base/function_ref.h"
 #include "diagram/diagram_core.h"
 #include "geometry/cell/cell_clipper.h"
 #include "geometry/cell/cell_measures.h"
@@ -45,6 +47,8 @@ class Clipping {
   /// A rectangle that holds the window.
   [[nodiscard]] virtual const Rectangle& box() const = 0;
   [[nodiscard]] virtual const Border& border() const = 0;
+  /// Each ring of the window's border, the inside on its left.
+  virtual void visitRings(FunctionRef<void(std::span<const Point>)> visit) const = 0;
   [[nodiscard]] virtual std::unique_ptr<CellClipper> cells(Parts parts) const = 0;
   /// Each piece of an edge inside, with the same bits after any history.
   virtual void visitEdges(EdgeVisitor& visitor) const = 0;

@@ -10,6 +10,11 @@ const PolygonGrid& PolygonClipping::grid() const {
   return *grid_;
 }
 
+void PolygonClipping::visitRings(FunctionRef<void(std::span<const Point>)> visit) const {
+  const NormalizedPolygon& polygon = clippedDiagram_.polygon();
+  for (std::size_t k = 0; k < polygon.ringCount(); ++k) visit(polygon.ring(k));
+}
+
 std::unique_ptr<CellClipper> PolygonClipping::cells(Parts parts) const {
   return std::make_unique<PolygonCellClipper>(clippedDiagram_, parts);
 }

@@ -16,6 +16,7 @@ class PolygonClipping final : public Clipping {
 
   [[nodiscard]] const Rectangle& box() const override { return clippedDiagram_.polygon().box; }
   [[nodiscard]] const Border& border() const override { return grid(); }
+  void visitRings(FunctionRef<void(std::span<const Point>)> visit) const override;
   [[nodiscard]] std::unique_ptr<CellClipper> cells(Parts parts) const override;
   void visitEdges(EdgeVisitor& visitor) const override;
   void measureCells(Measure what, std::vector<double>& measures) const override;

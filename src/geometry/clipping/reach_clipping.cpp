@@ -38,6 +38,10 @@ class SharedEdges final : public EdgeVisitor {  // NOLINT: nothing derives from 
 
 }  // namespace
 
+void ReachClipping::visitRings(FunctionRef<void(std::span<const Point>)> visit) const {
+  window_.visitRings(visit);
+}
+
 std::unique_ptr<CellClipper> ReachClipping::cells(Parts parts) const {
   return std::make_unique<ReachCellClipper>(core_, reach_, window_.cells(parts));
 }

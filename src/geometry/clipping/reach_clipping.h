@@ -15,6 +15,7 @@ class ReachClipping final : public Clipping {
 
   [[nodiscard]] const Rectangle& box() const override { return window_.box(); }
   [[nodiscard]] const Border& border() const override { return window_.border(); }
+  void visitRings(FunctionRef<void(std::span<const Point>)> visit) const override;
   [[nodiscard]] std::unique_ptr<CellClipper> cells(Parts parts) const override;
   /// What two cells share.
   void visitEdges(EdgeVisitor& visitor) const override;

@@ -6,6 +6,11 @@
 
 namespace apollonius::internal {
 
+void RectangleClipping::visitRings(FunctionRef<void(std::span<const Point>)> visit) const {
+  const Point corners[] = {box_.corner(0), box_.corner(1), box_.corner(2), box_.corner(3)};
+  visit(corners);
+}
+
 std::unique_ptr<CellClipper> RectangleClipping::cells(Parts parts) const {
   return std::make_unique<RectangleCellClipper>(core_, box_, parts);
 }

@@ -15,6 +15,7 @@ class RectangleClipping final : public Clipping {
 
   [[nodiscard]] const Rectangle& box() const override { return box_; }
   [[nodiscard]] const Border& border() const override { return sides_; }
+  void visitRings(FunctionRef<void(std::span<const Point>)> visit) const override;
   [[nodiscard]] std::unique_ptr<CellClipper> cells(Parts parts) const override;
   void visitEdges(EdgeVisitor& visitor) const override;
   void measureCells(Measure what, std::vector<double>& measures) const override;

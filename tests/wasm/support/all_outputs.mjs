@@ -153,6 +153,7 @@ async function addWindows({ levels }, diagram, bytes, random) {
       answered(() => view.emptyCircles(7)),
       answered(() => view.emptyCircles(7, { inside: true })),
       answered(() => view.cellCircles()),
+      await view.cellCirclesAsync(),
       Array.from(ids, (id) => answered(() => view.cellCircle(id, { aspect: 3 }))),
       Array.from(ids, (id) => view.renderCell(id)),
       view.renderCells(null, { digits: 3 }),
@@ -190,6 +191,7 @@ async function addSphere({ SphericalDiagram, validate }, bytes) {
     [globe.voronoi().largestEmptyCircle(), globe.voronoi().emptyCircles(12)],
     [globe.voronoi().interpolate(values, points), globe.voronoi().cellMesh()],
     await globe.voronoi().interpolateAsync(values, points, { r: 1 }),
+    await globe.voronoi().cellCirclesAsync(),
     globe.toBytes(),
   ]);
   for (let k = 0; k < 30; ++k) {

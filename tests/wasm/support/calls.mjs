@@ -521,6 +521,31 @@ export const voronoiCalls = {
       ...searchedBy((v) => v.cellCircles()),
     ],
   },
+  cellCirclesAsync: {
+    isAsync: true,
+    use: async (d) => inWindow((v) => v.cellCirclesAsync())(d),
+    refuses: [
+      ...aspects(inWindow((v, options) => v.cellCirclesAsync(options))),
+      ...searchedBy((v) => v.cellCirclesAsync()),
+      [
+        "busy",
+        () => {
+          const many = new Diagram(
+            Float64Array.from({ length: 9000 }, (_, k) => (k * 7919) % 1009),
+          );
+          const promise = many.voronoi([0, 0, 1009, 1009]).cellCirclesAsync();
+          many.removeMany([]);
+          return promise;
+        },
+        "changed meanwhile",
+      ],
+      [
+        "bad-option",
+        inWindow((v) => v.cellCirclesAsync({ onProgress: 7 })),
+        "options.onProgress is 7, expected",
+      ],
+    ],
+  },
   emptyCircles: {
     use: inWindow((v) => v.emptyCircles(2)),
     refuses: [

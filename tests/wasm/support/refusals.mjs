@@ -78,12 +78,17 @@ export const unknownOption = (call) => [
   ["bad-option", (d) => call(d, 0.5), "options is 0.5, expected {"],
 ];
 /** Of calls that search thin windows: one that goes to and fro along a line. */
-export const scribble = [
-  [0, 3e-11],
-  [5, 0],
-  [3, 0],
-  [11, 3e-11],
-].map(([x, above]) => [x / 17, (0.7 * x) / 17 + above]);
+export const scribble = (() => {
+  let state = 4;
+  const next = () => {
+    state = (state * 1103515245 + 12345) % 2 ** 31;
+    return state / 2 ** 31;
+  };
+  return Array.from({ length: 16 }, () => {
+    const x = next();
+    return [x, 0.7 * x + 1e-14 * next()];
+  });
+})();
 export const searchedBy = (call) => [
   [
     "no-convergence",

@@ -11,6 +11,7 @@ export type {
 export type { Disc, GeoJSONRegion, Region, Ring, WindowShape } from "./region.js";
 export type {
   AreaTargets,
+  AsyncCellCircleOptions,
   AsyncFitOptions,
   AsyncInterpolationOptions,
   CellCircle,

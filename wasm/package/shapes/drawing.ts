@@ -64,21 +64,6 @@ export function drawBounds(
   target.closePath();
 }
 
-/** A path that tells the two ends of each of its straight sides, with those that close rings. */
-export function pathOfSides(
-  tell: (x0: number, y0: number, x1: number, y1: number) => void,
-): PathContext {
-  let [startX, startY, fromX, fromY] = [0, 0, 0, 0];
-  const lineTo = (x: number, y: number) => {
-    tell(fromX, fromY, x, y);
-    [fromX, fromY] = [x, y];
-  };
-  const moveTo = (x: number, y: number) => {
-    [startX, startY, fromX, fromY] = [x, y, x, y];
-  };
-  return { moveTo, lineTo, closePath: () => lineTo(startX, startY), bezierCurveTo() {} };
-}
-
 /** A whole diagram. Without bounds, those of the circles say what tolerance cannot be seen. */
 export function drawWhole(
   native: NativeShapes,

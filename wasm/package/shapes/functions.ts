@@ -2,13 +2,14 @@
 // entry `apollonius-diagram/core`, which has no such methods.
 import type { Diagram } from "../core/diagram.js";
 import { nativeOf } from "../core/inner.js";
-import { shapesOf } from "../core/native/module.js";
+import { type NativeShapes, runningModule, shapesOf } from "../core/native/module.js";
 import type { DrawOptions, PathContext } from "../core/path.js";
 import type { Edges } from "../core/types.js";
 import { drawDual, drawWhole } from "./drawing.js";
 import { isWithClearance, narrowestOf } from "./edges.js";
 import type { WindowShape } from "./region.js";
 import type {
+  CellCircle,
   DualOptions,
   EdgeOptions,
   EdgesWithClearance,
@@ -97,4 +98,17 @@ export function renderHull(
 export function smallestEnclosingCircle(diagram: Diagram): EnclosingCircle | null {
   const { x, y, r, sites } = shapesOf(nativeOf(diagram)).enclosingCircle();
   return sites.length === 0 ? null : { x, y, r, sites };
+}
+
+/** An empty diagram, through which the running module is asked about what is in none. */
+let host: { module: ReturnType<typeof runningModule>; native: NativeShapes } | undefined;
+
+/** @internal The largest circle inside an outline, as `cellCircle` finds it in a cell. */
+export function innerCircle(
+  { curves, starts }: { readonly curves: Float64Array; readonly starts: Uint32Array },
+  aspect: number,
+): CellCircle {
+  const module = runningModule();
+  if (host?.module !== module) host = { module, native: shapesOf(module.create()) };
+  return host.native.innerCircle(curves, starts, aspect);
 }

@@ -69,6 +69,9 @@ export interface CellCircleOptions {
   aspect?: number | undefined;
 }
 
+/** Options of `cellCirclesAsync`. */
+export interface AsyncCellCircleOptions extends CellCircleOptions, AsyncOptions {}
+
 /** The smallest circle around all circles. */
 export interface EnclosingCircle {
   /** Its centre. */

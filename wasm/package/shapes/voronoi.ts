@@ -23,9 +23,9 @@ import type { Bounds, Edges, Position } from "../core/types.js";
 import { ApolloniusError } from "../errors.js";
 import { cellPaths, drawCells } from "./cell_paths.js";
 import { joined, measuresOf, partsOf, type Rings, ringOf } from "./cell_shapes.js";
+import { checkedAspect, circleOrNull, circlesInSlices } from "./circles.js";
 import { drawBounds, drawInto, type NativeWindow, toleranceOf } from "./drawing.js";
 import { isWithClearance, narrowestOf } from "./edges.js";
-import { emptyCircles } from "./empty_circles.js";
 import { fitAreas, fitAreasAsync } from "./fit.js";
 import {
   type CellGeometry,
@@ -39,7 +39,6 @@ import {
   geometryOf,
   meshOf,
 } from "./geojson.js";
-import { checkedAspect, innerCircle } from "./inner_circle.js";
 import { type Asked, interpolate, interpolateAsync, naturalWeights } from "./interpolation.js";
 import { checkedLimit, contains, limitOf, limitsOf } from "./limits.js";
 import { createReach, createRegion } from "./native_window.js";
@@ -47,6 +46,7 @@ import { checkedProjection, readWindow, unprojected } from "./projection.js";
 import type { WindowShape } from "./region.js";
 import type {
   AreaTargets,
+  AsyncCellCircleOptions,
   AsyncFitOptions,
   AsyncInterpolationOptions,
   CellCircle,
@@ -442,9 +442,9 @@ export class Voronoi implements Disposable {
    * right up to the last places of the coordinates. A maxDistance does not matter. O(n log n).
    *
    * With `inside`, the largest such circle that does not cross the window's border: r is at least
-   * 0.999 of the largest possible. Each cell at the border that is searched costs O(m) more, m
-   * being the points of the window. Throws "bad-option"; "no-convergence" if sides that nearly
-   * coincide keep the search from ending.
+   * 0.999 of the largest possible. Cost: also that of `cellCircle` for each cell at the border that
+   * is searched, few of them for one circle. Throws "bad-option"; "no-convergence" if sides that
+   * nearly coincide keep the search from ending.
    */
   largestEmptyCircle(options?: EmptyCircleOptions): EmptyCircle | null {
     Voronoi.#living(this);
@@ -464,24 +464,32 @@ export class Voronoi implements Disposable {
     const most = checkedCount("count", count);
     checkOptions(options, "inside");
     const inside = checkedChoice("options.inside", options?.inside, [false, true]);
-    return emptyCircles(Voronoi.#living(this), this.#window, most, inside);
+    const native = Voronoi.#living(this);
+    const { xy, clearance, sites } = native.emptyCircles(...this.#window, most, inside);
+    return Array.from(clearance, (r, k) => ({
+      x: xy[2 * k]!,
+      y: xy[2 * k + 1]!,
+      r,
+      site: sites[k]!,
+    }));
   }
 
   /**
    * The largest circle inside a cell: room for a label. r is at least 0.999 of the largest
    * possible, and the circle is inside the curved cell but for rounding. null if no part of the
    * cell is in the window. With `aspect`, the largest ellipse that is as many times as wide as
-   * high, for text: r is half its height. Cost: some 100 times O(d). Throws "not-finite",
-   * "out-of-range" (aspect), "bad-option"; "no-convergence" if sides that nearly coincide keep the
-   * search from ending.
+   * high, for text: r is half its height. Cost: O(d log d), some ten times that of `cellCurves`.
+   * Throws "not-finite", "out-of-range" (aspect), "bad-option"; "no-convergence" if sides that
+   * nearly coincide keep the search from ending.
    */
   cellCircle(id: number, options?: CellCircleOptions): CellCircle | null {
     Voronoi.#nativeFor(this, id);
     const aspect = checkedAspect(options);
-    const { curves, starts } = Voronoi.#clipped(this, [id], (native, windowNow) =>
-      native.cellCurves(...windowNow(), id),
+    return circleOrNull(
+      Voronoi.#clipped(this, [id], (native, windowNow) =>
+        native.cellCircle(...windowNow(), id, aspect),
+      ),
     );
-    return starts.length < 2 ? null : innerCircle(curves, aspect);
   }
 
   /**
@@ -492,16 +500,32 @@ export class Voronoi implements Disposable {
   cellCircles(options?: CellCircleOptions): Float64Array {
     Voronoi.#living(this);
     const aspect = checkedAspect(options);
-    return Voronoi.#clipped(this, undefined, (native, windowNow) => {
-      const circles = new Float64Array(3 * native.idLimit()).fill(NaN);
-      for (const id of native.ids()) {
-        const { curves, starts } = native.cellCurves(...windowNow(), id);
-        if (starts.length < 2) continue;
-        const { x, y, r } = innerCircle(curves, aspect);
-        circles.set([x, y, r], 3 * id);
-      }
-      return circles;
-    });
+    return Voronoi.#clipped(this, undefined, (native, windowNow) =>
+      native.cellCirclesBetween(...windowNow(), 0, native.idLimit(), aspect),
+    );
+  }
+
+  /**
+   * `cellCircles` in slices of some milliseconds, with turns of the event loop between them.
+   * Rejects as that throws; with the reason of `options.signal` once that aborts; with "busy" if
+   * the diagram has changed meanwhile. A list or function of distances is asked once.
+   */
+  async cellCirclesAsync(options?: AsyncCellCircleOptions): Promise<Float64Array> {
+    Voronoi.#living(this);
+    const aspect = checkedAspect(options, "signal", "onProgress");
+    const held = Voronoi.#hold(this);
+    try {
+      // awaited here, so that this view, and so the diagram, is not collected meanwhile
+      return await circlesInSlices(
+        options,
+        Voronoi.#living(this).idLimit(),
+        () => Voronoi.#living(this).revision(),
+        (first, end) =>
+          Voronoi.#living(this).cellCirclesBetween(...held.windowNow(), first, end, aspect),
+      );
+    } finally {
+      held.end();
+    }
   }
 
   // --- Interpolation -----------------------------------------------------------------------------

@@ -5,8 +5,9 @@ import { type Inner, wrongReceiver } from "../core/inner.js";
 import { showInWords } from "../core/inspection.js";
 import type { NativeSphericalDiagram } from "../core/native/module.js";
 import { withSite } from "../core/space.js";
-import type { Edges, Position } from "../core/types.js";
+import type { AsyncOptions, Edges, Position } from "../core/types.js";
 import { ApolloniusError } from "../errors.js";
+import { circleOrNull, circlesInSlices } from "../shapes/circles.js";
 import {
   type CellMesh,
   type CellGeometry,
@@ -260,7 +261,7 @@ export class SphericalVoronoi {
     const circle = SphericalVoronoi.#ofCell(this, id, (native, limit) =>
       native.cellCircle(id, limit),
     );
-    return Number.isNaN(circle.r) ? null : circle;
+    return circleOrNull(circle);
   }
 
   /**
@@ -268,14 +269,27 @@ export class SphericalVoronoi {
    * begin at 3 id; NaN for ids without a cell. Cost: that of `cellCircle` for each. Throws as that.
    */
   cellCircles(): Float64Array {
-    const limits = SphericalVoronoi.#limits(this);
     const { native } = SphericalVoronoi.#inner(this);
-    const circles = new Float64Array(3 * native.idLimit()).fill(NaN);
-    for (const id of native.ids()) {
-      const { lon, lat, r } = native.cellCircle(id, limits[limits.length === 1 ? 0 : id]!);
-      circles.set([lon, lat, r], 3 * id);
-    }
-    return circles;
+    return circlesOf(native, SphericalVoronoi.#limits(this), 0, native.idLimit());
+  }
+
+  /**
+   * `cellCircles` in slices of some milliseconds, with turns of the event loop between them.
+   * Rejects as that throws; with the reason of `options.signal` once that aborts; with "busy" if
+   * the diagram has changed meanwhile. A list or function of distances is asked once.
+   */
+  async cellCirclesAsync(options?: AsyncOptions): Promise<Float64Array> {
+    const nativeNow = () => SphericalVoronoi.#inner(this).native;
+    const count = nativeNow().idLimit();
+    checkOptions(options, "signal", "onProgress");
+    const limits = SphericalVoronoi.#limits(this);
+    // awaited here, so that this view, and so the diagram, is not collected meanwhile
+    return await circlesInSlices(
+      options,
+      count,
+      () => nativeNow().revision(),
+      (first, end) => circlesOf(nativeNow(), limits, first, end),
+    );
   }
 
   // --- Interpolation -----------------------------------------------------------------------------
@@ -474,4 +488,20 @@ function geometryOptions({ native }: Inner<Native>, options: SphericalGeometryOp
   );
   const tolerance = checkedTolerance(options, native.radius());
   return { winding, isCut: antimeridian === "cut", tolerance };
+}
+
+/** Longitude, latitude and r of the largest circles inside the cells of some ids; NaN for none. */
+function circlesOf(
+  native: Native,
+  limits: ArrayLike<number>,
+  first: number,
+  end: number,
+): Float64Array {
+  const circles = new Float64Array(3 * (end - first)).fill(NaN);
+  for (let id = first; id < end; ++id) {
+    if (!native.has(id)) continue;
+    const { lon, lat, r } = native.cellCircle(id, limits[limits.length === 1 ? 0 : id]!);
+    circles.set([lon, lat, r], 3 * (id - first));
+  }
+  return circles;
 }

@@ -10,7 +10,8 @@ import {
 import { Slices } from "../core/building.js";
 import type { DrawOptions, PathContext } from "../core/path.js";
 import { ApolloniusError } from "../errors.js";
-import { checkedAspect, innerCircle } from "../shapes/inner_circle.js";
+import { checkedAspect } from "../shapes/circles.js";
+import { innerCircle } from "../shapes/functions.js";
 import type { CellCircle, CellCircleOptions, FittedAreas } from "../shapes/types.js";
 import { type Cell, shapeOf } from "./cells.js";
 import { drawOutline } from "./drawing.js";
@@ -115,7 +116,7 @@ function resultOf(cell: Cell | undefined, tolerance: number): TreemapCell {
   const label = (options?: CellCircleOptions) => {
     const aspect = checkedAspect(options);
     if (outline === null) return null;
-    if (last?.of !== aspect) last = { ...innerCircle(outline.curves, aspect), of: aspect };
+    if (last?.of !== aspect) last = { ...innerCircle(outline, aspect), of: aspect };
     const { x, y, r } = last;
     return { x: frame.x + frame.scale * x, y: frame.y + frame.scale * y, r: frame.scale * r };
   };

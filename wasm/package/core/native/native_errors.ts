@@ -20,7 +20,7 @@ const kFailures: Record<
   kTooLarge: ["too-large", "more sites than one diagram can hold"],
   kBadBounds: ["bad-bounds", "the window is empty, inverted or out of range"],
   kBadTarget: ["bad-target", "an area that no cell can have"],
-  kNoConvergence: ["no-convergence", "no weights come closer to the areas"],
+  kNoConvergence: ["no-convergence", "sides of the window or cell nearly coincide"],
   kBusy: ["busy", "the diagram has changed meanwhile"],
   kBroken: ["broken", "the polygons do not add up to what they divide: please report it"],
   kCorruptSnapshot: [

@@ -1,0 +1,20 @@
+// Empty circles with their centres in a window: the places that are farthest from all sites.
+#pragma once
+
+#include <cstddef>
+
+#include "apollonius/types.h"
+#include "geometry/clipping/clipping.h"
+
+namespace apollonius::internal {
+
+/// The `most` largest circles that no site reaches into, with their centres in a window, none of
+/// which has its centre in one before it: x, y, the distance to the nearest site, and that one
+/// site. With `inside` they do not cross the window's border either, and r is at least 0.999 of
+/// what is possible. Cells end at others only. Replaces the contents. False as WidestPlace::find().
+/// Throws std::bad_alloc. Cost: O(n (log n + most)); with `inside` also that of finding the largest
+/// circle in each cell at the border that is looked at.
+[[nodiscard]] bool listEmptyCircles(const DiagramCore& core, const Clipping& window,
+                                    std::size_t most, bool inside, VertexArrays& circles);
+
+}  // namespace apollonius::internal
