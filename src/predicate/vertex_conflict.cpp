@@ -85,7 +85,7 @@ namespace {
 
 /// Are a and b mirror images of each other in an axis-parallel line, and c and d in the same one?
 /// `along` is the axis that a and b are compared on, `across` the other one. Sums are compared
-/// exactly: rounded, and by what rounding took away (Knuth's TwoSum).
+/// exactly: rounded, and by what rounding took away.
 bool areMirrored(const Site& a, const Site& b, const Site& c, const Site& d, double Site::* along,
                  double Site::* across) {
   if (a.*across != b.*across || c.*across != d.*across) return false;
@@ -96,65 +96,66 @@ bool areMirrored(const Site& a, const Site& b, const Site& c, const Site& d, dou
 /// Four points, two pairs of which are mirror images in one axis-parallel line: the corners of a
 /// rectangle, or of a trapezoid whose legs are as long as each other. The centre of the circle
 /// through three of them is on that line, so that the fourth is as far from it as its image.
-bool areMirrored(const Site& i, const Site& j, const Site& k, const Site& q) {
-  const auto arePairs = [](const Site& a, const Site& b, const Site& c, const Site& d) {
-    return areMirrored(a, b, c, d, &Site::x, &Site::y) ||
-           areMirrored(a, b, c, d, &Site::y, &Site::x);
-  };
-  return arePairs(i, j, k, q) || arePairs(i, k, j, q) || arePairs(i, q, j, k);
+bool areMirrored(const Site& i, const std::array<Corner, 3>& others) {
+  for (std::size_t n = 0; n < 3; ++n) {
+    const Site &image = *others[n], &a = *others[(n + 1) % 3], &b = *others[(n + 2) % 3];
+    if (areMirrored(i, image, a, b, &Site::x, &Site::y) ||
+        areMirrored(i, image, a, b, &Site::y, &Site::x))
+      return true;
+  }
+  return false;
 }
 
-/// A number of twice the digits, and the size of what it was made of (see Approx).
-struct ApproxTwofold {
-  Twofold number;
-  double magnitude;
-  ApproxTwofold(const Twofold& x) : ApproxTwofold(x, absolute(x.value)) {}  // NOLINT: of inputs
-  ApproxTwofold(const Twofold& x, double size) : number(x), magnitude(size) {}
-  friend ApproxTwofold operator+(const ApproxTwofold& a, const ApproxTwofold& b) {
-    return {a.number + b.number, a.magnitude + b.magnitude};
-  }
-  friend ApproxTwofold operator-(const ApproxTwofold& a, const ApproxTwofold& b) {
-    return {a.number - b.number, a.magnitude + b.magnitude};
-  }
-  friend ApproxTwofold operator*(const ApproxTwofold& a, const ApproxTwofold& b) {
-    return {a.number * b.number, a.magnitude * b.magnitude};
-  }
-};
+/// Does vertexTwofold() know no underflow and no overflow of such coordinates?
+bool fitsTwofold(const Site& s) {
+  const auto fits = [](double x) {
+    return x == 0 || (absolute(x) >= powerOfTwo(-200) && absolute(x) < powerOfTwo(200));
+  };
+  return fits(s.x) && fits(s.y);
+}
 
 }  // namespace
 
-/// The sign of xy (see VertexForm) of rows of differences, which are exact. Each of the 7 roundings
-/// that a term passes (kVertexOfPoints) is less than kTwofoldRoundoff / 2, so 7/2 of those and what
-/// their products add bound the error; 7 are allowed, which covers the roundings of `magnitude`,
-/// too, at most 2^-48 of it, and the last place of `value`.
+/// The sign of xy (see VertexForm), as in vertexOfPoints, of differences that are exact. Each of
+/// the 7 roundings that a term passes (kVertexOfPoints; the first sum is that of 0) is less than
+/// kTwofoldRoundoff / 2, so 7/2 of those and what their products add bound the error; 7 are
+/// allowed, which covers the roundings of `size`, too, at most 2^-48 of it, and the last place of
+/// `value`.
 ///
 /// Coordinates that are zero or at least 2^-200 are multiples of 2^-252, and so are both parts of a
 /// difference. Hence all that products of four are made of, halves of digits among them, are
 /// multiples of 2^-1008: nothing is subnormal. Below 2^200, nothing overflows.
 MaybeSign vertexTwofold(const Site& i, Corner j, Corner k, Corner q) {
   const std::array<Corner, 3> corners{j, k, q};
-  const auto haveEqualWeights = [&](Corner c) { return c == nullptr || c->r == i.r; };
-  if (!std::all_of(corners.begin(), corners.end(), haveEqualWeights)) return {};
-  if (j != nullptr && k != nullptr && q != nullptr && areMirrored(i, *j, *k, *q))
-    return {Sign::kZero, true};
-  const auto fits = [](double x) {
-    return x == 0 || (absolute(x) >= powerOfTwo(-200) && absolute(x) < powerOfTwo(200));
-  };
-  const auto isFit = [&](Corner c) { return c == nullptr || (fits(c->x) && fits(c->y)); };
-  if (!isFit(&i) || !std::all_of(corners.begin(), corners.end(), isFit)) return {};
+  bool areFinite = true, areFit = fitsTwofold(i);
+  for (const Corner c : corners) {
+    areFinite = areFinite && c != nullptr;
+    if (c == nullptr) continue;
+    if (c->r != i.r) return {};
+    areFit = areFit && fitsTwofold(*c);
+  }
+  if (areFinite && areMirrored(i, corners)) return {Sign::kZero, true};
+  if (!areFit) return {};
 
-  const auto rowFrom = [&](Corner c) -> Row<ApproxTwofold> {
-    const ApproxTwofold zero = Twofold(0);
-    if (c == nullptr) return {zero, zero, zero, Twofold(1), true};
-    const ApproxTwofold x = Twofold(c->x) - i.x, y = Twofold(c->y) - i.y;
-    return {x, y, zero, x * x + y * y, false};
-  };
-  const ApproxTwofold xy = VertexForm<ApproxTwofold>::xyOf(rowFrom(j), rowFrom(k), rowFrom(q));
-  const double value = xy.number.value,
-               bound = roundings::kVertexOfPoints.count * kTwofoldRoundoff * xy.magnitude;
-  if (value > bound) return {Sign::kNegative, true};
-  if (value < -bound) return {Sign::kPositive, true};
-  return {Sign::kZero, xy.magnitude == 0};
+  std::array<Twofold, 3> x, y, p{1, 1, 1};
+  for (std::size_t n = 0; n < 3; ++n) {
+    const Corner c = corners[n];
+    if (c == nullptr) continue;
+    x[n] = Twofold(c->x) - i.x;
+    y[n] = Twofold(c->y) - i.y;
+    p[n] = x[n] * x[n] + y[n] * y[n];
+  }
+  Twofold sum;
+  double size = 0;
+  for (std::size_t n = 0; n < 3; ++n) {
+    const std::size_t a = n < 2 ? n + 1 : 0, b = n > 0 ? n - 1 : 2;
+    const Twofold ab = x[a] * y[b], ba = x[b] * y[a];
+    sum = sum + p[n] * (ab - ba);
+    size += p[n].value * (absolute(ab.value) + absolute(ba.value));
+  }
+  const MaybeSign sign =
+      filteredSign({sum.value, size}, roundings::kVertexOfPoints.count * kTwofoldRoundoff);
+  return {-sign.sign, sign.known};
 }
 
 MaybeSign vertexFilter(const Site& i, Corner j, Corner k, Corner q) {
