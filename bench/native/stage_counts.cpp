@@ -27,6 +27,7 @@ std::string perItem(std::size_t items) {
   add("distanceFixed", counts.distanceFixed);
   add("distanceExact", counts.distanceExact);
   add("vertexOfPoints", counts.vertexOfPoints);
+  add("vertexTwofold", counts.vertexTwofold);
   add("vertexFilter", counts.vertexFilter);
   add("vertexMiddle", counts.vertexMiddle);
   add("vertexFixed", counts.vertexFixed);

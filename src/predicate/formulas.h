@@ -136,12 +136,16 @@ inline constexpr SpanForm<Roundings> kSpan{kRow, kRow};
 /// An arrow from the reference site, as a chord; it has no w.
 inline constexpr Chord<Roundings> kRay{kInput, kInput, kInput};
 inline constexpr EdgeForm<Roundings> kRayForm{kChord, kRay};
+/// xy of points whose differences are exact.
+inline constexpr Row<Roundings> kPoint{0, 0, 0, Roundings(0) * 0 + Roundings(0) * 0, false};
+inline constexpr Roundings kVertexOfPoints = VertexForm<Roundings>::xyOf(kPoint, kPoint, kPoint);
 /// Difference of two products of the degenerate rule.
 inline constexpr Roundings kProducts = kRow.p * between(kRow, kRow) - kRow.p * between(kRow, kRow);
 
 static_assert(kRow.p.count == 5, "x² and y² 3 each, their sum 4, less r² 5");
 static_assert(kProducts.count == 14, "p of two rows 7, times p 13, difference 14");
 static_assert(kVertex.xy.count == 12, "minor 4, times p 10, two sums 12");
+static_assert(kVertexOfPoints.count == 7, "minor 2, times p 5, two sums 7");
 static_assert(kVertex.x.count == 22);
 static_assert(kVertex.squares().count == 27);
 static_assert(kChord.w.count == 8, "product 7, difference 8");

@@ -19,6 +19,7 @@ struct Counts {
   unsigned long long distanceExact = 0;
   unsigned long long vertexAtOnce = 0;
   unsigned long long vertexOfPoints = 0;
+  unsigned long long vertexTwofold = 0;
   unsigned long long vertexFilter = 0;
   unsigned long long vertexMiddle = 0;
   unsigned long long vertexFixed = 0;

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "number/root_sign.h"
+#include "number/twofold.h"
 #include "predicate/covers.h"
 #include "predicate/kernels.h"
 #include "predicate/long_kernels.h"
@@ -77,6 +78,83 @@ MaybeSign vertexOfPoints(const Site& i, Corner j, Corner k, Corner q) {
   }
   if (isExact || (hasExactMinors && size == 0)) return {-signOf(sum), true};
   const MaybeSign sign = filteredSign({sum, size}, errorFactor(roundings::kVertex.xy));
+  return {-sign.sign, sign.known};
+}
+
+namespace {
+
+/// Are a and b mirror images of each other in an axis-parallel line, and c and d in the same one?
+/// `along` is the axis that a and b are compared on, `across` the other one. Sums are compared
+/// exactly: rounded, and by what rounding took away.
+bool areMirrored(const Site& a, const Site& b, const Site& c, const Site& d, double Site::* along,
+                 double Site::* across) {
+  if (a.*across != b.*across || c.*across != d.*across) return false;
+  const Twofold ab = Twofold(a.*along) + b.*along, cd = Twofold(c.*along) + d.*along;
+  return ab.value == cd.value && ab.rest == cd.rest;
+}
+
+/// Four points, two pairs of which are mirror images in one axis-parallel line: the corners of a
+/// rectangle, or of a trapezoid whose legs are as long as each other. The centre of the circle
+/// through three of them is on that line, so that the fourth is as far from it as its image.
+bool areMirrored(const Site& i, const std::array<Corner, 3>& others) {
+  for (std::size_t n = 0; n < 3; ++n) {
+    const Site &image = *others[n], &a = *others[(n + 1) % 3], &b = *others[(n + 2) % 3];
+    if (areMirrored(i, image, a, b, &Site::x, &Site::y) ||
+        areMirrored(i, image, a, b, &Site::y, &Site::x))
+      return true;
+  }
+  return false;
+}
+
+/// Does vertexTwofold() know no underflow and no overflow of such coordinates?
+bool fitsTwofold(const Site& s) {
+  const auto fits = [](double x) {
+    return x == 0 || (absolute(x) >= powerOfTwo(-200) && absolute(x) < powerOfTwo(200));
+  };
+  return fits(s.x) && fits(s.y);
+}
+
+}  // namespace
+
+/// The sign of xy (see VertexForm), as in vertexOfPoints, of differences that are exact. Each of
+/// the 7 roundings that a term passes (kVertexOfPoints; the first sum is that of 0) is less than
+/// kTwofoldRoundoff / 2, so 7/2 of those and what their products add bound the error; 7 are
+/// allowed, which covers the roundings of `size`, too, at most 2^-48 of it, and the last place of
+/// `value`.
+///
+/// Coordinates that are zero or at least 2^-200 are multiples of 2^-252, and so are both parts of a
+/// difference. Hence all that products of four are made of, halves of digits among them, are
+/// multiples of 2^-1008: nothing is subnormal. Below 2^200, nothing overflows.
+MaybeSign vertexTwofold(const Site& i, Corner j, Corner k, Corner q) {
+  const std::array<Corner, 3> corners{j, k, q};
+  bool areFinite = true, areFit = fitsTwofold(i);
+  for (const Corner c : corners) {
+    areFinite = areFinite && c != nullptr;
+    if (c == nullptr) continue;
+    if (c->r != i.r) return {};
+    areFit = areFit && fitsTwofold(*c);
+  }
+  if (areFinite && areMirrored(i, corners)) return {Sign::kZero, true};
+  if (!areFit) return {};
+
+  std::array<Twofold, 3> x, y, p{1, 1, 1};
+  for (std::size_t n = 0; n < 3; ++n) {
+    const Corner c = corners[n];
+    if (c == nullptr) continue;
+    x[n] = Twofold(c->x) - i.x;
+    y[n] = Twofold(c->y) - i.y;
+    p[n] = x[n] * x[n] + y[n] * y[n];
+  }
+  Twofold sum;
+  double size = 0;
+  for (std::size_t n = 0; n < 3; ++n) {
+    const std::size_t a = n < 2 ? n + 1 : 0, b = n > 0 ? n - 1 : 2;
+    const Twofold ab = x[a] * y[b], ba = x[b] * y[a];
+    sum = sum + p[n] * (ab - ba);
+    size += p[n].value * (absolute(ab.value) + absolute(ba.value));
+  }
+  const MaybeSign sign =
+      filteredSign({sum.value, size}, roundings::kVertexOfPoints.count * kTwofoldRoundoff);
   return {-sign.sign, sign.known};
 }
 
@@ -176,6 +254,7 @@ Sign vertexSign(const Site& i, Corner j, Corner k, Corner q) {
   using stages::counts;
   Question question([&] { return stages::vertexExact(i, j, k, q); }, counts().vertexExact);
   if (question.isSettledBy(stages::vertexOfPoints(i, j, k, q), counts().vertexOfPoints) ||
+      question.isSettledBy(stages::vertexTwofold(i, j, k, q), counts().vertexTwofold) ||
       question.isSettledBy(stages::vertexFilter(i, j, k, q), counts().vertexFilter) ||
       question.isSettledBy(stages::vertexMiddle(i, j, k, q), counts().vertexMiddle) ||
       question.isSettledBy(stages::vertexFixed(i, j, k, q), counts().vertexFixed))

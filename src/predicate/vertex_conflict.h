@@ -70,6 +70,9 @@ namespace stages {
 /// First where all weights are equal, for which it is made: doubles, exact on grids. Unknown where
 /// weights differ.
 [[nodiscard]] MaybeSign vertexOfPoints(const Site& i, Corner j, Corner k, Corner q);
+/// Likewise where all weights are equal: in numbers of twice the digits; exact for two pairs that
+/// are mirror images in one axis-parallel line, however the coordinates were rounded.
+[[nodiscard]] MaybeSign vertexTwofold(const Site& i, Corner j, Corner k, Corner q);
 /// In doubles with an error bound.
 [[nodiscard]] MaybeSign vertexFilter(const Site& i, Corner j, Corner k, Corner q);
 /// In doubles that are exact.

@@ -106,8 +106,12 @@ const MapPoint& ChainMaker::vertexOf(FaceId face) {
   if (newer.first == face) return newer.second;
   std::swap(newer, older);
   if (newer.first == face) return newer.second;
-  newer = {face, shown(vertices_[face].point)};
-  locate(newer.second);
+  const Direction& vertex = vertices_[face].point;
+  const Direction point = joint_ == Joint::kGreatArc ? vertex : snappedToBorder(vertex);
+  newer = {face, {point, {}}};
+  LonLat& at = places_.empty() ? newer.second.at : places_[index(face)];
+  if (places_.empty() || at.lat == kUnknown) at = lonLatOf(point);
+  newer.second.at = at;
   return newer.second;
 }
 

@@ -23,7 +23,9 @@ class ChainMaker {
   ChainMaker(const ProjectedDiagram& diagram, double tolerance, Joint joint,
              SphericalVertices::Of of)
       : diagram_(diagram), vertices_(diagram, of), tolerance_(tolerance), joint_(joint) {
-    if (of == SphericalVertices::Of::kAll) chains_.resize(3 * diagram.graph().faceSlots());
+    if (of == SphericalVertices::Of::kSome) return;
+    chains_.resize(3 * diagram.graph().faceSlots());
+    places_.resize(diagram.graph().faceSlots(), {0, kUnknown});
   }
 
   /// Appends the points of a site's edge, counter-clockwise about it, without the last one. The
@@ -121,6 +123,9 @@ class ChainMaker {
   };
   static constexpr std::size_t kMostKept = std::size_t{1} << 20;
   FlatArray<Chain> chains_;
+  // And each vertex three times: where it is on the map, by face.
+  static constexpr double kUnknown = 1000;  // no latitude
+  FlatArray<LonLat> places_;
   FlatArray<MapPoint> kept_;
 };
 

@@ -135,9 +135,9 @@ TEST(PredicateCounts, HoldEachStageOnce) {
     return static_cast<double>(
         c.lorentzFilter + c.lorentzMiddle + c.lorentzExact + c.distanceAtOnce + c.distanceFilter +
         c.distanceMiddle + c.distanceFixed + c.distanceExact + c.vertexAtOnce + c.vertexOfPoints +
-        c.vertexFilter + c.vertexMiddle + c.vertexFixed + c.vertexExact + c.edgeAtOnce +
-        c.edgeCached + c.edgeFilter + c.edgeMiddle + c.edgeFixed + c.edgeExact + c.rayCached +
-        c.rayFilter + c.rayMiddle + c.rayFixed + c.rayExact);
+        c.vertexTwofold + c.vertexFilter + c.vertexMiddle + c.vertexFixed + c.vertexExact +
+        c.edgeAtOnce + c.edgeCached + c.edgeFilter + c.edgeMiddle + c.edgeFixed + c.edgeExact +
+        c.rayCached + c.rayFilter + c.rayMiddle + c.rayFixed + c.rayExact);
   };
   EXPECT_EQ(total(after) - total(before), totalOf(now) - totalOf(raw));
 }

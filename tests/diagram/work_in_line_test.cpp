@@ -28,11 +28,11 @@ constexpr std::size_t kSlack = kShadowCheck ? 3 : 1;
 /// not among them, but where sites are in line these know nothing.
 std::size_t answers() {
   const stages::Counts& c = stages::counts();
-  const unsigned long long all = c.lorentzFilter + c.lorentzMiddle + c.lorentzExact +
-                                 c.distanceFilter + c.distanceMiddle + c.distanceFixed +
-                                 c.distanceExact + c.vertexOfPoints + c.vertexFilter +
-                                 c.vertexMiddle + c.vertexFixed + c.vertexExact + c.edgeCached +
-                                 c.edgeFilter + c.edgeMiddle + c.edgeFixed + c.edgeExact;
+  const unsigned long long all =
+      c.lorentzFilter + c.lorentzMiddle + c.lorentzExact + c.distanceFilter + c.distanceMiddle +
+      c.distanceFixed + c.distanceExact + c.vertexOfPoints + c.vertexTwofold + c.vertexFilter +
+      c.vertexMiddle + c.vertexFixed + c.vertexExact + c.edgeCached + c.edgeFilter + c.edgeMiddle +
+      c.edgeFixed + c.edgeExact;
   return static_cast<std::size_t>(all);
 }
 

@@ -205,6 +205,7 @@ TEST(NearZero, VertexConflict) {
           if (!coversNot(i, at) || !coversNot(j, at) || !coversNot(k, at)) return;
           const Sign exact = stages::vertexExact(i, &j, third, &at);
           expectSame(stages::vertexOfPoints(i, &j, third, &at), exact, "of points");
+          expectSame(stages::vertexTwofold(i, &j, third, &at), exact, "twofold");
           expectSame(stages::vertexFilter(i, &j, third, &at), exact, "filter");
           expectSame(stages::vertexMiddle(i, &j, third, &at), exact, "middle");
           expectSame(stages::vertexFixed(i, &j, third, &at), exact, "fixed");

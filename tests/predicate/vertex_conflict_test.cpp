@@ -118,8 +118,9 @@ TEST_P(VertexConflictOn, StagesAgreeAndScalingChangesNothing) {
     rotateToReference(i, j, k);
     const Sign exact = stages::vertexExact(*i, j, k, &q);
     for (const MaybeSign early :
-         {stages::vertexOfPoints(*i, j, k, &q), stages::vertexFilter(*i, j, k, &q),
-          stages::vertexMiddle(*i, j, k, &q), stages::vertexFixed(*i, j, k, &q)}) {
+         {stages::vertexOfPoints(*i, j, k, &q), stages::vertexTwofold(*i, j, k, &q),
+          stages::vertexFilter(*i, j, k, &q), stages::vertexMiddle(*i, j, k, &q),
+          stages::vertexFixed(*i, j, k, &q)}) {
       if (early.known) {
         ASSERT_EQ(early.sign, exact) << "run " << run;
       }
@@ -179,6 +180,7 @@ TEST(VertexConflict, EasyCasesAreAnsweredByTheFilter) {
   EXPECT_GT(asked, 1000);
   EXPECT_LE(stages::counts().vertexExact - before.vertexExact, static_cast<unsigned>(asked) / 1000);
   EXPECT_EQ(stages::counts().vertexOfPoints, before.vertexOfPoints) << "weights differ";
+  EXPECT_EQ(stages::counts().vertexTwofold, before.vertexTwofold) << "weights differ";
   EXPECT_GE(stages::counts().vertexFilter - before.vertexFilter, static_cast<unsigned>(asked));
   EXPECT_EQ(stages::counts().vertexDegenerate, before.vertexDegenerate);
 }
@@ -218,8 +220,10 @@ TEST(VertexConflict, PointsOnGridsOfAnySize) {
     rotateToReference(i, j, k);
     const Sign exact = stages::vertexExact(*i, j, k, q);
     const MaybeSign early = stages::vertexOfPoints(*i, j, k, q);
-    if (early.known) {
-      ASSERT_EQ(early.sign, exact) << "run " << run;
+    for (const MaybeSign answer : {early, stages::vertexTwofold(*i, j, k, q)}) {
+      if (answer.known) {
+        ASSERT_EQ(answer.sign, exact) << "run " << run;
+      }
     }
     zeros += exact == Sign::kZero;
     unknown += !early.known;

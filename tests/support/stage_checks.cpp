@@ -29,11 +29,13 @@ StageChecks::StageChecks() {
   tallies_.resize(kCount);
   tallies_[kCovers] = {"covers", {{"filter"}, {"middle"}}};
   tallies_[kDistance] = {"distance", {{"filter"}, {"middle"}, {"fixed"}}};
-  tallies_[kCircle] = {"circle exists",
-                       {{"doubles"}, {"fan"}, {"points"}, {"filter"}, {"middle"}, {"fixed"}}};
+  tallies_[kCircle] = {
+      "circle exists",
+      {{"doubles"}, {"fan"}, {"points"}, {"twofold"}, {"filter"}, {"middle"}, {"fixed"}}};
   tallies_[kVertex] = {"vertex", {{"circle"}, {"fan circle"}, {"filter"}, {"middle"}, {"fixed"}}};
-  tallies_[kPoints] = {"vertex, one weight",
-                       {{"circle"}, {"fan circle"}, {"points"}, {"filter"}, {"middle"}, {"fixed"}}};
+  tallies_[kPoints] = {
+      "vertex, one weight",
+      {{"circle"}, {"fan circle"}, {"points"}, {"twofold"}, {"filter"}, {"middle"}, {"fixed"}}};
   tallies_[kRule] = {"degenerate rule", {{"doubles"}}};
   tallies_[kEdge] = {"edge", {{"shortcut"}, {"circles"}, {"filter"}, {"middle"}, {"fixed"}}};
   tallies_[kRay] = {"ray", {{"circle"}, {"filter"}, {"middle"}, {"fixed"}}};
@@ -111,6 +113,7 @@ bool StageChecks::exists(Corner i, Corner j, Corner k) {
           {{Sign::kNegative, isCertain},
            {Sign::kNegative, isCertainOfFan},
            stages::vertexOfPoints(*a, b, c, nullptr),
+           stages::vertexTwofold(*a, b, c, nullptr),
            stages::vertexFilter(*a, b, c, nullptr),
            stages::vertexMiddle(*a, b, c, nullptr),
            stages::vertexFixed(*a, b, c, nullptr)});
@@ -154,11 +157,12 @@ bool StageChecks::isInConflict(const Face& face, const Site& q) {
   const MaybeSign filter = stages::vertexFilter(*i, j, k, &q),
                   middle = stages::vertexMiddle(*i, j, k, &q);
   const MaybeSign fixed = stages::vertexFixed(*i, j, k, &q),
-                  points = stages::vertexOfPoints(*i, j, k, &q);
+                  points = stages::vertexOfPoints(*i, j, k, &q),
+                  twofold = stages::vertexTwofold(*i, j, k, &q);
   if (areEqual) {
-    compare(kPoints, exact, {byCircle, byFan, points, filter, middle, fixed});
+    compare(kPoints, exact, {byCircle, byFan, points, twofold, filter, middle, fixed});
   } else {
-    expect(!points.known, "vertex of points");
+    expect(!points.known && !twofold.known, "vertex of points");
     compare(kVertex, exact, {byCircle, byFan, filter, middle, fixed});
   }
   expect(

@@ -50,8 +50,8 @@ export interface CellsCollection<Properties = { site: number }> {
 
 /** Pairs of a flat ring, or of the one with points `first` to before `end` of several. */
 export function positionsOf(rings: Float64Array, first = 0, end = rings.length / 2): Position[] {
-  const positions: Position[] = [];
-  for (let k = 2 * first; k < 2 * end; k += 2) positions.push([rings[k]!, rings[k + 1]!]);
+  const positions = new Array<Position>(end - first);
+  for (let k = first; k < end; ++k) positions[k - first] = [rings[2 * k]!, rings[2 * k + 1]!];
   return positions;
 }
 
@@ -79,15 +79,16 @@ export function geometryOf(
   k: number,
   winding: Winding,
 ): CellGeometry {
-  const ringAt = (k: number) => {
-    const ring = positionsOf(coordinates, starts[k], starts[k + 1]);
-    return winding === "clockwise" ? ring.reverse() : ring;
-  };
-  const partAt = (k: number) =>
-    Array.from({ length: parts[k + 1]! - parts[k]! }, (_, n) => ringAt(parts[k]! + n));
-  const polygons = Array.from({ length: cells[k + 1]! - cells[k]! }, (_, n) =>
-    partAt(cells[k]! + n),
-  );
+  // Loops, as most lists have one item, for which `Array.from` takes far longer.
+  const polygons: Position[][][] = [];
+  for (let part = cells[k]!; part < cells[k + 1]!; ++part) {
+    const rings: Position[][] = [];
+    for (let n = parts[part]!; n < parts[part + 1]!; ++n) {
+      const ring = positionsOf(coordinates, starts[n], starts[n + 1]);
+      rings.push(winding === "clockwise" ? ring.reverse() : ring);
+    }
+    polygons.push(rings);
+  }
   return polygons.length === 1
     ? { type: "Polygon", coordinates: polygons[0] as Position[][] }
     : { type: "MultiPolygon", coordinates: polygons };
