@@ -160,25 +160,28 @@ function tableOne({ seconds, limit, rounds, tableOne: largest, walk }) {
 }
 
 /**
- * 10 000 moving sites a frame, of so many, and all of them far against building. Steps in mean
- * spacings; each frame is a sample.
+ * 10 000 moving sites a frame, of so many, and all of them, far and by a hundredth, against
+ * building. Steps in mean spacings; each frame is a sample.
  */
 function moves({ rounds, seconds, limit, sizes }) {
   const among = [1e4, ...sizes.filter((n) => n === 1e6)];
-  const far = [1e4, 1e5]
+  const steps = { "all far": 30, "all 0.01 spacings": 0.01 };
+  const all = [1e4, 1e5]
     .filter((n) => n <= Math.max(...sizes))
-    .map((n) => ({
-      part: "moves",
-      family: "random5",
-      n,
-      label: "all far",
-      rounds: Math.min(rounds, 3),
-      steps: [
-        { op: "build", who: ours, seconds, limit },
-        { op: "updateMany", who: ours, count: n, step: 30, seconds, rebuild: true },
-      ],
-    }));
-  return far.concat(
+    .flatMap((n) =>
+      Object.entries(steps).map(([label, step]) => ({
+        part: "moves",
+        family: "random5",
+        n,
+        label,
+        rounds: Math.min(rounds, 3),
+        steps: [
+          { op: "build", who: ours, seconds, limit },
+          { op: "updateMany", who: ours, count: n, step, seconds, rebuild: true },
+        ],
+      })),
+    );
+  return all.concat(
     among.flatMap((n) =>
       [0.001, 0.01, 0.1].map((step) => ({
         part: "moves",

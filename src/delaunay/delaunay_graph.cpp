@@ -107,6 +107,12 @@ void DelaunayGraph::computeCircle(FaceId f) const {
   circles_[index(f)] = voronoiCircle(corners.i, corners.j, corners.k);
 }
 
+void DelaunayGraph::restoreGraph(const Graph& graph) noexcept {
+  if (!graph.isEmpty()) graph_ = graph;
+  circles_.assign(circles_.size(), kMissingCircle);
+  mayMissCircles_ = true;
+}
+
 void DelaunayGraph::computeMissingCircles() const {
   if (!mayMissCircles_) return;
   CircleBatch batch([this](std::uint32_t f, const VoronoiCircle& circle) {

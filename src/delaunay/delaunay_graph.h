@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <span>
+#include <utility>
 
 #include "base/flat_array.h"
 #include "delaunay/conflict.h"
@@ -133,8 +134,13 @@ class DelaunayGraph {
   void becomeSingle(VertexId v) noexcept;
 
   /// The circle of a face whose corners have moved, which is known already or is to be computed.
-  void setCircle(FaceId f, const VoronoiCircle& circle) { circles_[index(f)] = circle; }
+  void swapCircle(FaceId f, VoronoiCircle& circle) { std::swap(circles_[index(f)], circle); }
   void computeCircle(FaceId f) const;
+  /// Graph::flip(); the circles are still those of the faces that were.
+  void flip(HalfedgeId h) { graph_.flip(h); }
+  /// The graph is again what it was, or is kept if that is empty; the circles are to be computed.
+  /// Needs no memory. REQUIRES: an empty graph, or one that has been this one's.
+  void restoreGraph(const Graph& graph) noexcept;
 
   /// Room for searches and changes of this many faces and sides that need none for new faces, as
   /// they undo others.

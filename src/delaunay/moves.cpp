@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <limits>
 
+#include "delaunay/proof.h"
 #include "predicate/circle_batch.h"
 #include "predicate/compute_circle.h"
+#include "predicate/covers.h"
 #include "predicate/direction.h"
+#include "predicate/edge_order.h"
 #include "predicate/reference_site.h"
 
 namespace apollonius::internal {
@@ -18,34 +21,41 @@ Arrow normalOf(const VoronoiCircle& circle) { return {circle.x, circle.y, circle
 }  // namespace
 
 std::span<const std::uint8_t> SiteMoves::apply(DelaunayGraph& delaunay, std::span<const Move> moves,
-                                               std::size_t mostLeft) {
+                                               Flips flips, std::size_t mostLeft) {
   delaunay_ = &delaunay;
   moves_ = moves;
+  mostLeft_ = mostLeft;
+  flips_.clear();
+  constexpr std::size_t kFlipShare = 4, kFewFlips = 16;
+  mostFlips_ =
+      flips == Flips::kMaybe && delaunay.isProven() ? moves.size() / kFlipShare + kFewFlips : 0;
   reserveMoves(delaunay);
   isMade_.assign(moves.size(), 0);
-  if (areHopeless(mostLeft)) return {isMade_.data(), moves.size()};
+  if (areHopeless()) return {isMade_.data(), moves.size()};
   reserveFaces(delaunay.graph());
   collectFaces();
   makeAll();
-  // The new circles, then the checks; a face that fails makes a site go back, and the faces around
-  // are checked again. In the end all that moved passes, and what went back is as it was.
+  // The new circles, then the checks; where a face fails an edge is flipped, or a site goes back,
+  // and the faces around are checked again. In the end all faces pass.
   computeCircles();
-  for (std::uint32_t position = 0; position < changed_.size() && left_ <= mostLeft; ++position)
-    check(position);
-  while (!queue_.empty() && left_ <= mostLeft) {
-    const std::uint32_t position = queue_.back();
-    queue_.pop_back();
-    check(position);
+  if (mostFlips_ > 0) untangle();
+  checkAll();
+  bool holds = goesOn();
+  if (holds) {
+    swapCircles();
+    holds = !asksHull_ || delaunay.beginProof().hullTurnsOnce();
+    if (!holds) swapCircles();
   }
-  if (left_ > mostLeft) takeBackAll();
-  for (const ChangedFace& changed : changed_) {
-    if (changed.isActive) delaunay.setCircle(changed.face, changed.circle);
-    positionOf_[index(changed.face)] = kNoIndex;
-  }
+  const bool mayTryAgain =
+      !holds && mostFlips_ > 0 && left_ <= mostLeft && flips_.size() <= mostLeft / 2;
+  if (!holds) takeBackAll();
+  for (const ChangedFace& changed : changed_) positionOf_[index(changed.face)] = kNoIndex;
   for (std::size_t k = 0; k < moves.size(); ++k) {
     isMade_[k] = isMoved_[index(moves[k].vertex)];
     isMoved_[index(moves[k].vertex)] = 0;
   }
+  // A few flips have led nowhere: the sites there may as well stay.
+  if (mayTryAgain) return apply(delaunay, moves, Flips::kNone, mostLeft);
   return {isMade_.data(), moves.size()};
 }
 
@@ -67,12 +77,15 @@ void SiteMoves::reserveMoves(const DelaunayGraph& delaunay) {
   }
 }
 
+/// Do they touch most faces? Then all are looked at.
+bool SiteMoves::areMost() const { return moves_.size() * 8 >= delaunay_->graph().faceCount(); }
+
 void SiteMoves::reserveFaces(const Graph& graph) {
   if (positionOf_.size() < graph.faceSlots()) positionOf_.resize(graph.faceSlots(), kNoIndex);
-  std::size_t faces = moves_.size() * 8 < graph.faceCount()
-                          ? 0
-                          : graph.faceCount();  // all, or those that there are
-  if (faces == 0) {
+  std::size_t faces = mostFlips_;  // each takes in one more face at most
+  if (areMost()) {
+    faces = graph.faceCount();
+  } else {
     for (const Move& move : moves_) {
       for ([[maybe_unused]] const HalfedgeId h : graph.star(move.vertex)) ++faces;
     }
@@ -82,20 +95,38 @@ void SiteMoves::reserveFaces(const Graph& graph) {
   changed_.reserve(faces);
   queue_.clear();
   queue_.reserve(faces);  // a face is in the queue once
+  deferred_.clear();
+  deferred_.reserve(faces);
+  flips_.reserve(mostFlips_);
 }
 
 void SiteMoves::collectFaces() {
   const Graph& graph = delaunay_->graph();
-  for (const Move& move : moves_) {
-    for (const HalfedgeId h : graph.star(move.vertex)) {
-      std::uint32_t& position = positionOf_[index(faceOf(h))];
-      if (position != kNoIndex) continue;
-      position = static_cast<std::uint32_t>(changed_.size());
-      changed_.push_back({faceOf(h), true, true, {}});
-      // If it is missing, it is computed of the sites as they are now.
-      (void)delaunay_->circle(faceOf(h));
+  // Circles that are missing are computed of the sites as they are now.
+  if (areMost()) {
+    delaunay_->computeMissingCircles();
+    // In their order in memory.
+    for (const FaceId f : graph.faces()) collect(f);
+  } else {
+    for (const Move& move : moves_) {
+      for (const HalfedgeId h : graph.star(move.vertex)) {
+        collect(faceOf(h));
+        (void)delaunay_->circle(faceOf(h));
+      }
     }
   }
+  for (auto position = static_cast<std::uint32_t>(changed_.size()); position-- > 0;)
+    queueAt(position);
+}
+
+/// The face and its place in changed_, as one that has no moved corner.
+SiteMoves::ChangedFace& SiteMoves::collect(FaceId f) {
+  std::uint32_t& position = positionOf_[index(f)];
+  if (position == kNoIndex) {
+    position = static_cast<std::uint32_t>(changed_.size());
+    changed_.push_back({f, false, false, false, false, {}});
+  }
+  return changed_[position];
 }
 
 void SiteMoves::makeAll() {
@@ -107,22 +138,25 @@ void SiteMoves::makeAll() {
     isMoved_[index(v)] = 1;
   }
   left_ = 0;
+  isStuck_ = asksHull_ = false;
 }
 
-/// Would too many have to stay? The share of sites whose own faces contradict each other after the
-/// moves is a good guess at that of those that have to stay in the end. A sample of them costs some
-/// percent of all.
-bool SiteMoves::areHopeless(std::size_t mostLeft) {
-  constexpr std::size_t kShare = 16, kMost = 256;
+/// Would too many have to stay, or too many edges have to be flipped? The share of sites whose own
+/// faces contradict each other after the moves is a good guess at that of those that have to stay
+/// in the end if nothing is flipped; and a site in four is one for an edge in twenty. A sample of
+/// them costs some percent of all.
+bool SiteMoves::areHopeless() {
+  constexpr std::size_t kShare = 16, kMost = 256, kFlippable = 4;
   const std::size_t sample = std::min(moves_.size() / kShare, kMost);
-  if (moves_.size() <= mostLeft || sample < kShare) return false;
+  if (moves_.size() <= mostLeft_ || sample < kShare) return false;
   delaunay_->computeMissingCircles();  // of the sites as they are now
   makeAll();
   std::size_t failing = 0;
   for (std::size_t k = 0; k < sample; ++k)
     failing += !keepsItsStar(moves_[k * moves_.size() / sample].vertex);
   takeBackAll();
-  return failing * moves_.size() > mostLeft * sample;
+  return mostFlips_ > 0 ? failing * kFlippable > sample
+                        : failing * moves_.size() > mostLeft_ * sample;
 }
 
 /// Have all faces around it circles, and are their vertices in order along its edges?
@@ -135,12 +169,12 @@ bool SiteMoves::keepsItsStar(VertexId v) const {
     if (!findCertainVoronoiCircle(e.i, e.j, e.k, now)) return false;
     if (h == begin) {
       first = now;
-    } else if (graph.target(h) != kInfinity && !endsAreInOrder(h, now, before)) {
+    } else if (graph.target(h) != kInfinity && orderOfEnds(h, now, before) != Sign::kPositive) {
       return false;
     }
     before = now;
   }
-  return graph.target(begin) == kInfinity || endsAreInOrder(begin, first, before);
+  return graph.target(begin) == kInfinity || orderOfEnds(begin, first, before) == Sign::kPositive;
 }
 
 const Site& SiteMoves::siteBefore(VertexId v) const {
@@ -153,12 +187,12 @@ bool SiteMoves::hasMovedCorner(FaceId f) const {
          isMoved(graph.origin(halfedgeOf(f, 2)));
 }
 
-/// All faces have moved corners.
+/// Of the faces that have moved corners.
 void SiteMoves::computeCircles() {
   const Graph& graph = delaunay_->graph();
   CircleBatch batch([this](std::uint32_t position, const VoronoiCircle& circle) {
     changed_[position].circle = circle;
-    if (!(circle.error < std::numeric_limits<float>::infinity())) computeCircle(position);
+    if (!hasCircle(position)) computeCircle(position);
   });
   for (std::uint32_t position = 0; position < changed_.size(); ++position) {
     const HalfedgeId h = halfedgeOf(changed_[position].face, 0);
@@ -166,7 +200,8 @@ void SiteMoves::computeCircles() {
                  k = delaunay_->corner(graph.apex(h));
     if (i == nullptr || j == nullptr || k == nullptr) {
       computeCircle(position);
-    } else {
+    } else if (hasMovedCorner(changed_[position].face)) {
+      changed_[position].isActive = true;
       batch.add(position, {i, j, k});
     }
   }
@@ -175,7 +210,7 @@ void SiteMoves::computeCircles() {
 
 void SiteMoves::computeCircle(std::uint32_t position) {
   ChangedFace& changed = changed_[position];
-  changed.isActive = hasMovedCorner(changed.face);
+  changed.isActive = changed.isFlipped || hasMovedCorner(changed.face);
   if (!changed.isActive) return;
   const EdgeCorners e = delaunay_->edge(halfedgeOf(changed.face, 0));
   if (!findCertainVoronoiCircle(e.i, e.j, e.k, changed.circle))
@@ -183,39 +218,98 @@ void SiteMoves::computeCircle(std::uint32_t position) {
 }
 
 /// The conditions for one face: its circle exists, its vertex comes in order along its edges, and
-/// if it is at infinity, its normal has turned by less than a quarter.
-void SiteMoves::check(std::uint32_t position) {
-  ChangedFace& changed = changed_[position];
-  changed.isQueued = false;
+/// if it is at infinity, its normal has turned by less than a quarter, or the hull is asked in the
+/// end. Where an edge contradicts it is flipped, else a site goes back, if it may now.
+void SiteMoves::check(std::uint32_t position, bool mayTakeBack) {
+  const ChangedFace& changed = changed_[position];
   const FaceId f = changed.face;
-  if (!changed.isActive) return;
-  const VoronoiCircle &before = delaunay_->circle(f), &now = changed.circle;
-  if (!(now.error < std::numeric_limits<float>::infinity()) ||
-      (now.isHalfPlane() && !differByLessThanAQuarter(normalOf(before), normalOf(now)))) {
-    takeBackOneOf(f);
-    return;
+  const VoronoiCircle& now = changed.circle;
+  VertexId beyond = kNoVertex;
+  if (!hasCircle(position)) {
+    if (flipOneOf(f)) return;
+  } else if (!now.isHalfPlane() || changed.isFlipped ||
+             differByLessThanAQuarter(normalOf(delaunay_->circle(f)), normalOf(now))) {
+    HalfedgeId h = kNoHalfedge;
+    const Sign order = findDisorder(position, h);
+    if (order == Sign::kPositive || (order == Sign::kNegative && flip(h))) return;
+    beyond = delaunay_->graph().apex(delaunay_->graph().twin(h));
   }
-  const Graph& graph = delaunay_->graph();
-  for (unsigned c = 0; c < 3; ++c) {
-    const HalfedgeId h = halfedgeOf(f, c), twin = graph.twin(h);
-    const std::uint32_t other = positionOf_[index(faceOf(twin))];
-    const bool isFixed = other == kNoIndex || !changed_[other].isActive;
-    if (!isFixed && position > other) continue;  // asked from the other side
-    if (endsAreInOrder(h, now, isFixed ? delaunay_->circle(faceOf(twin)) : changed_[other].circle))
-      continue;
-    if (const VertexId beyond = graph.apex(twin); isMoved(beyond)) {
-      takeBack(beyond);
-    } else {
-      takeBackOneOf(f);
-    }
-    return;
+  if (!mayTakeBack) {
+    defer(position);
+  } else if (beyond != kNoVertex && isMoved(beyond)) {
+    takeBack(beyond);
+  } else {
+    takeBackOneOf(f);
   }
 }
 
-/// Of the edge dual to h, from the vertex on its right to that on its left: do they come in this
-/// order? See the top of the header.
-bool SiteMoves::endsAreInOrder(HalfedgeId h, const VoronoiCircle& left,
-                               const VoronoiCircle& right) const {
+/// The first edge of a face whose ends are not in order, and orderOfEnds() of it; positive if there
+/// is none. An edge between two faces that change is asked of the first of them only.
+Sign SiteMoves::findDisorder(std::uint32_t position, HalfedgeId& edge) {
+  const Graph& graph = delaunay_->graph();
+  for (unsigned c = 0; c < 3; ++c) {
+    const HalfedgeId h = halfedgeOf(changed_[position].face, c), twin = graph.twin(h);
+    const std::uint32_t other = positionOf_[index(faceOf(twin))];
+    const bool isFixed = other == kNoIndex || !changed_[other].isActive;
+    if (!isFixed && position > other) continue;
+    edge = h;
+    const VoronoiCircle &left = changed_[position].circle,
+                        &right = isFixed ? delaunay_->circle(faceOf(twin)) : changed_[other].circle;
+    Sign order = orderOfEnds(h, left, right);
+    if (order == Sign::kZero && mostFlips_ > 0 && (isFixed || hasCircle(other)))
+      order = exactOrder(h, left, right);
+    if (order != Sign::kPositive) return order;
+  }
+  return Sign::kPositive;
+}
+
+/// The first round: faces that have no circle. Where sites have jumped over others, flips that only
+/// look at the order along edges would tangle the faces further.
+void SiteMoves::untangle() {
+  for (std::uint32_t position = 0; position < changed_.size(); ++position) {
+    if (isTangled(position)) defer(position);
+  }
+  while (goesOn() && !deferred_.empty()) {
+    const std::uint32_t position = deferred_.back();
+    deferred_.pop_back();
+    changed_[position].isDeferred = false;
+    const FaceId f = changed_[position].face;
+    if (isTangled(position) && !takeBackCovered(f) && !flipOneOf(f)) takeBackOneOf(f);
+  }
+}
+
+/// The second round: all faces, those where an edge would have to be flipped and cannot last.
+void SiteMoves::checkAll() {
+  while (goesOn() && !(queue_.empty() && deferred_.empty())) {
+    const bool isLast = queue_.empty();
+    FlatArray<std::uint32_t>& positions = isLast ? deferred_ : queue_;
+    const std::uint32_t position = positions.back();
+    positions.pop_back();
+    ChangedFace& changed = changed_[position];
+    (isLast ? changed.isDeferred : changed.isQueued) = false;
+    if (changed.isActive) check(position, isLast || mostFlips_ == 0);
+  }
+}
+
+/// If one corner covers another, the latter goes back, or if it has done so, the former.
+bool SiteMoves::takeBackCovered(FaceId f) {
+  const Graph& graph = delaunay_->graph();
+  for (unsigned c = 0; c < 3; ++c) {
+    const HalfedgeId h = halfedgeOf(f, c);
+    const VertexId i = graph.origin(h), j = graph.target(h);
+    if (i == kInfinity || j == kInfinity) continue;
+    const bool isICovered = covers(delaunay_->site(j), delaunay_->site(i));
+    if (!isICovered && !covers(delaunay_->site(i), delaunay_->site(j))) continue;
+    takeBack(isMoved(isICovered ? i : j) ? (isICovered ? i : j) : (isICovered ? j : i));
+    return true;
+  }
+  return false;
+}
+
+/// Positive if the ends of the edge dual to h come in order, from the vertex on its right to that
+/// on its left; negative if they certainly do not. See the top of the header.
+Sign SiteMoves::orderOfEnds(HalfedgeId h, const VoronoiCircle& left,
+                            const VoronoiCircle& right) const {
   const Graph& graph = delaunay_->graph();
   const VertexId i = graph.origin(h), j = graph.target(h);
   const bool isSwapped = isBetterReference(delaunay_->corner(j), delaunay_->corner(i));
@@ -225,18 +319,103 @@ bool SiteMoves::endsAreInOrder(HalfedgeId h, const VoronoiCircle& left,
     return sign.known ? sign.sign : Sign::kZero;
   };
   const Sign now = turnFrom(right, left, delaunay_->site(reference));
-  if (i != kInfinity && j != kInfinity)
-    return now == (isSwapped ? Sign::kNegative : Sign::kPositive);
-  return now != Sign::kZero && now == turnFrom(delaunay_->circle(faceOf(graph.twin(h))),
-                                               delaunay_->circle(faceOf(h)), siteBefore(reference));
+  const FaceId leftFace = faceOf(h), rightFace = faceOf(graph.twin(h));
+  Sign expected = isSwapped ? Sign::kNegative : Sign::kPositive;
+  if ((i == kInfinity || j == kInfinity) && !isFlipped(leftFace) && !isFlipped(rightFace)) {
+    expected =
+        turnFrom(delaunay_->circle(rightFace), delaunay_->circle(leftFace), siteBefore(reference));
+  }
+  return expected == now ? (now == Sign::kZero ? now : Sign::kPositive)
+         : now == Sign::kZero || expected == Sign::kZero ? Sign::kZero
+                                                         : Sign::kNegative;
 }
 
-/// A corner of an active face.
+/// With the moves and flips made.
+const VoronoiCircle& SiteMoves::circleNow(FaceId f) const {
+  const std::uint32_t position = positionOf_[index(f)];
+  return position != kNoIndex && changed_[position].isActive ? changed_[position].circle
+                                                             : delaunay_->circle(f);
+}
+
+bool SiteMoves::isFlipped(FaceId f) const {
+  const std::uint32_t position = positionOf_[index(f)];
+  return position != kNoIndex && changed_[position].isFlipped;
+}
+
+/// Where the filter does not know. At infinity only the hull as a whole tells.
+Sign SiteMoves::exactOrder(HalfedgeId h, const VoronoiCircle& left, const VoronoiCircle& right) {
+  const Graph& graph = delaunay_->graph();
+  if (graph.origin(h) == kInfinity || graph.target(h) == kInfinity) {
+    if (!areMost()) return Sign::kZero;
+    asksHull_ = true;
+  }
+  return isDelaunayEdge(delaunay_->edge(h), left, right) ? Sign::kPositive : Sign::kNegative;
+}
+
+bool SiteMoves::flipOneOf(FaceId f) {
+  return flip(halfedgeOf(f, 0)) || flip(halfedgeOf(f, 1)) || flip(halfedgeOf(f, 2));
+}
+
+/// Flips the edge if the faces that this makes have circles, and if no edge around them becomes one
+/// that is out of order and cannot be flipped: as those of a site of degree 2, if it is not between
+/// its two neighbours.
+bool SiteMoves::flip(HalfedgeId h) {
+  if (flips_.size() == mostFlips_) {
+    isStuck_ = mostFlips_ > 0;
+    return false;
+  }
+  const Graph& graph = delaunay_->graph();
+  const HalfedgeId twin = graph.twin(h);
+  const VertexId i = graph.origin(h), j = graph.target(h), k = graph.apex(h), l = graph.apex(twin);
+  const bool isAtHull = i == kInfinity || j == kInfinity || k == kInfinity || l == kInfinity;
+  if (k == l || (isAtHull && !areMost())) return false;
+  VoronoiCircle left, right;
+  if (!findCertainVoronoiCircle(delaunay_->corner(l), delaunay_->corner(k), delaunay_->corner(i),
+                                left) ||
+      !findCertainVoronoiCircle(delaunay_->corner(k), delaunay_->corner(l), delaunay_->corner(j),
+                                right))
+    return false;
+  const FaceId f = faceOf(h), g = faceOf(twin);
+  ChangedFace &first = collect(f), &second = collect(g);
+  const ChangedFace firstBefore = first, secondBefore = second;
+  delaunay_->flip(h);
+  first = {f, first.isQueued, first.isDeferred, true, true, left};
+  second = {g, second.isQueued, second.isDeferred, true, true, right};
+  for (const HalfedgeId side : {next(h), previous(h), next(twin), previous(twin)}) {
+    const HalfedgeId outer = graph.twin(side);
+    if (graph.apex(side) != graph.apex(outer) ||
+        orderOfEnds(side, circleNow(faceOf(side)), circleNow(faceOf(outer))) == Sign::kPositive)
+      continue;
+    flipBack(*delaunay_, h);
+    first = firstBefore;
+    second = secondBefore;
+    return false;
+  }
+  flips_.push_back(h);
+  asksHull_ |= isAtHull;
+  queueAround(f);
+  queueAround(g);
+  return true;
+}
+
+/// A corner of an active face, or of one beyond its edges.
 void SiteMoves::takeBackOneOf(FaceId f) {
   const Graph& graph = delaunay_->graph();
-  for (unsigned c = 0; c < 3; ++c) {
+  for (const unsigned c : {0u, 1u, 2u}) {
     const VertexId corner = graph.origin(halfedgeOf(f, c));
     if (isMoved(corner)) return takeBack(corner);
+  }
+  for (const unsigned c : {0u, 1u, 2u}) {
+    const VertexId beyond = graph.apex(graph.twin(halfedgeOf(f, c)));
+    if (isMoved(beyond)) return takeBack(beyond);
+  }
+  isStuck_ = true;
+}
+
+/// What is known of changed faces becomes what the diagram knows, and the reverse.
+void SiteMoves::swapCircles() noexcept {
+  for (ChangedFace& changed : changed_) {
+    if (changed.isActive) delaunay_->swapCircle(changed.face, changed.circle);
   }
 }
 
@@ -247,7 +426,8 @@ void SiteMoves::takeBackAll() noexcept {
     if (isMoved(v)) delaunay_->setSite(v, before_[k]);
     isMoved_[index(v)] = 0;
   }
-  for (ChangedFace& changed : changed_) changed.isActive = false;
+  takeFlipsBack(*delaunay_);
+  flips_.clear();
 }
 
 /// The site returns to where it was; the faces around it are computed anew, and they and the ones
@@ -258,15 +438,31 @@ void SiteMoves::takeBack(VertexId v) {
   ++left_;
   const Graph& graph = delaunay_->graph();
   for (const HalfedgeId h : graph.star(v)) {
-    computeCircle(positionOf_[index(faceOf(h))]);
-    for (unsigned c = 0; c < 3; ++c) queue(faceOf(graph.twin(halfedgeOf(faceOf(h), c))));
-    queue(faceOf(h));
+    const std::uint32_t position = positionOf_[index(faceOf(h))];
+    computeCircle(position);
+    if (mostFlips_ > 0 && isTangled(position)) defer(position);
+    queueAround(faceOf(h));
   }
 }
 
+/// The face and those beyond its edges.
+void SiteMoves::queueAround(FaceId f) {
+  queue(f);
+  for (unsigned c = 0; c < 3; ++c) queue(faceOf(delaunay_->graph().twin(halfedgeOf(f, c))));
+}
+
+void SiteMoves::defer(std::uint32_t position) {
+  if (changed_[position].isDeferred) return;
+  changed_[position].isDeferred = true;
+  deferred_.push_back(position);
+}
+
 void SiteMoves::queue(FaceId f) {
-  const std::uint32_t position = positionOf_[index(f)];
-  if (position == kNoIndex || changed_[position].isQueued) return;
+  if (positionOf_[index(f)] != kNoIndex) queueAt(positionOf_[index(f)]);
+}
+
+void SiteMoves::queueAt(std::uint32_t position) {
+  if (changed_[position].isQueued) return;
   changed_[position].isQueued = true;
   queue_.push_back(position);
 }

@@ -1,5 +1,5 @@
-// A certificate that moving sites, one or many at once, changes no face: for the small moves of
-// animations.
+// Moving sites, one or many at once, with a certificate that proves the graph: for the small moves
+// of animations, which change no face or few.
 //
 // Let the circles of all faces around moved sites be computed anew, each once. The graph is that of
 // the new diagram if
@@ -19,8 +19,23 @@
 // corner beyond an edge is in no conflict with a face, seen from either side, would not do: a small
 // site that has jumped over the vertex at the edge's other end is in none.)
 //
-// Everything is asked of the filters; what they do not know counts as no, and the sites concerned
-// stay where they are.
+// Flips. Where an edge contradicts 2 it is replaced by the other diagonal, and the faces around are
+// looked at again (Lawson, Software for C1 surface interpolation, 1977: for points that ends with
+// the Delaunay graph, from any triangulation). What results is proved by the same conditions, of
+// the new faces as of the old ones; how it has come about does not matter. If a face at infinity
+// has been flipped, it has no former normal: then 3 is that the normals of the whole hull make one
+// turn, exactly asked (Proof::hullTurnsOnce). That needs no history, so each turn at infinity only
+// has to be known.
+//
+// Flips can get stuck: in a set with weights the other diagonal may have no circles (Edelsbrunner
+// and Shah, Incremental topological flipping works for regular triangulations, 1996), as where a
+// site is to become hidden; and after moves faces may overlap, which is no triangulation to start
+// from. So faces without a circle come first, and a site next to one that stays wrong goes back to
+// where it was. It goes back at most once, and flips are limited: this ends. If no site is left
+// there that could go back, or too many have, nothing has been tried.
+//
+// Everything is asked of the filters; what they do not know of the order along an edge is asked
+// exactly where edges may be flipped, and counts as no elsewhere.
 #pragma once
 
 #include <cstdint>
@@ -33,6 +48,9 @@
 
 namespace apollonius::internal {
 
+/// May edges be flipped, or has the graph to stay as it is?
+enum class Flips : bool { kNone, kMaybe };
+
 class SiteMoves {
  public:
   struct Move {
@@ -40,60 +58,107 @@ class SiteMoves {
     Site to;
   };
 
-  /// Moves as many of the sites as certainly leave the graph as it is, and returns for each move
-  /// whether it was made. The others stay where they are: all of them, if more than `mostLeft`
-  /// would have to (there are cheaper ways then), which a sample of them tells quickly in most
-  /// cases. REQUIRES: visible vertices, each at most once; no move is from a place to itself.
-  /// Throws std::bad_alloc with the diagram unchanged. Cost: O(sum of the degrees).
+  /// Moves as many of the sites as certainly leave the graph as it is, or need some flips only, and
+  /// returns for each move whether it was made. The others stay where they are: all of them, if
+  /// more than `mostLeft` would have to (there are cheaper ways then), which a sample of them tells
+  /// quickly in most cases. REQUIRES: visible vertices, each at most once; no move is from a place
+  /// to itself. Throws std::bad_alloc with the diagram unchanged. Cost: O(sum of the degrees), and
+  /// O(sites on the hull) if most sites move. An unproved graph is not flipped.
   std::span<const std::uint8_t> apply(
-      DelaunayGraph& delaunay, std::span<const Move> moves,
+      DelaunayGraph& delaunay, std::span<const Move> moves, Flips flips,
       std::size_t mostLeft = std::numeric_limits<std::size_t>::max());
 
   /// Puts sites back that moves in place have moved, `moves` telling where to. The graph is the one
   /// of these places. Cost: O(sum of the degrees).
   static void takeBack(DelaunayGraph& delaunay, std::span<const Move> moves) noexcept;
 
+  /// Has the last apply() flipped edges?
+  [[nodiscard]] bool hasFlipped() const { return !flips_.empty(); }
+  /// Takes the flips of the last apply() out of a graph as it left it: a Graph, or a DelaunayGraph,
+  /// the circles of which are then to be forgotten.
+  template <class Flippable>
+  void takeFlipsBack(Flippable& graph) const noexcept {
+    for (std::size_t k = flips_.size(); k-- > 0;) flipBack(graph, flips_[k]);
+  }
+
   /// Where the site of move k was before the last apply().
   [[nodiscard]] const Site& siteBefore(std::size_t k) const { return before_[k]; }
 
  private:
+  /// A face with a corner that moves, or of an edge that has been flipped, or if most sites move,
+  /// any.
+  struct ChangedFace {
+    FaceId face;
+    bool isQueued;         ///< in queue_
+    bool isDeferred;       ///< in deferred_
+    bool isActive;         ///< some corner is moved (now, that is: not taken back), or isFlipped
+    bool isFlipped;        ///< it was not there before
+    VoronoiCircle circle;  ///< its new one; an infinite error if there may be none
+  };
+
+  template <class Flippable>
+  static void flipBack(Flippable& graph, HalfedgeId h) noexcept {
+    for (int quarter = 0; quarter < 3; ++quarter) graph.flip(h);
+  }
+
   void reserveMoves(const DelaunayGraph& delaunay);
   void reserveFaces(const Graph& graph);
-  [[nodiscard]] bool areHopeless(std::size_t mostLeft);
+  [[nodiscard]] bool areMost() const;
+  [[nodiscard]] bool areHopeless();
   [[nodiscard]] bool keepsItsStar(VertexId v) const;
   void makeAll();
   void collectFaces();
+  ChangedFace& collect(FaceId f);
   [[nodiscard]] bool isMoved(VertexId v) const { return isMoved_[index(v)] != 0; }
   [[nodiscard]] const Site& siteBefore(VertexId v) const;
   [[nodiscard]] bool hasMovedCorner(FaceId f) const;
   void computeCircles();
   void computeCircle(std::uint32_t position);
-  void check(std::uint32_t position);
-  [[nodiscard]] bool endsAreInOrder(HalfedgeId h, const VoronoiCircle& left,
-                                    const VoronoiCircle& right) const;
-  void takeBack(VertexId v);
+  [[nodiscard]] bool hasCircle(std::uint32_t position) const {
+    return changed_[position].circle.error < std::numeric_limits<float>::infinity();
+  }
+  [[nodiscard]] bool isTangled(std::uint32_t position) const {
+    return changed_[position].isActive && !hasCircle(position);
+  }
+  [[nodiscard]] const VoronoiCircle& circleNow(FaceId f) const;
+  void swapCircles() noexcept;
+  [[nodiscard]] bool goesOn() const { return left_ <= mostLeft_ && !isStuck_; }
+  void untangle();
+  void checkAll();
+  void check(std::uint32_t position, bool mayTakeBack);
+  [[nodiscard]] Sign findDisorder(std::uint32_t position, HalfedgeId& edge);
+  [[nodiscard]] Sign exactOrder(HalfedgeId h, const VoronoiCircle& left,
+                                const VoronoiCircle& right);
+  [[nodiscard]] Sign orderOfEnds(HalfedgeId h, const VoronoiCircle& left,
+                                 const VoronoiCircle& right) const;
+  [[nodiscard]] bool isFlipped(FaceId f) const;
+  [[nodiscard]] bool flip(HalfedgeId h);
+  [[nodiscard]] bool flipOneOf(FaceId f);
+  [[nodiscard]] bool takeBackCovered(FaceId f);
   void takeBackOneOf(FaceId f);
+  void takeBack(VertexId v);
   void takeBackAll() noexcept;
   void queue(FaceId f);
+  void queueAt(std::uint32_t position);
+  void queueAround(FaceId f);
+  void defer(std::uint32_t position);
 
   DelaunayGraph* delaunay_ = nullptr;  // during apply only
   std::span<const Move> moves_;
   std::size_t left_ = 0;                 // moves that have been taken back
+  std::size_t mostLeft_ = 0;             // of them
+  std::size_t mostFlips_ = 0;            // 0: none are tried
+  bool isStuck_ = false;                 // neither a flip nor a site that goes back helps
+  bool asksHull_ = false;                // flips or exact answers at infinity: condition 3 is asked
   FlatArray<Site> before_;               // by move
   FlatArray<std::uint8_t> isMade_;       // by move
   FlatArray<std::uint8_t> isMoved_;      // by vertex; 0 between calls
   FlatArray<std::uint32_t> moveOf_;      // by vertex that moves or has been taken back
   FlatArray<std::uint32_t> positionOf_;  // by face: its index in changed_; kNoIndex between calls
-
-  /// A face with a corner that moves.
-  struct ChangedFace {
-    FaceId face;
-    bool isQueued;
-    bool isActive;         ///< some corner is moved (now, that is: not taken back)
-    VoronoiCircle circle;  ///< its new one; an infinite error if there may be none
-  };
   FlatArray<ChangedFace> changed_;
-  FlatArray<std::uint32_t> queue_;  // positions of faces to check (again)
+  FlatArray<std::uint32_t> queue_;     // positions of faces to check (again)
+  FlatArray<std::uint32_t> deferred_;  // of those to check last
+  FlatArray<HalfedgeId> flips_;        // as they were made
 };
 
 }  // namespace apollonius::internal

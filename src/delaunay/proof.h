@@ -37,6 +37,9 @@ class Proof {
   [[nodiscard]] std::uint32_t where() const { return where_; }
   /// The share that has been looked at, 0 to 1.
   [[nodiscard]] double progress() const;
+  /// Condition 3 alone, exactly. REQUIRES: the circles at infinity are those of the faces. Cost:
+  /// O(sites on the hull).
+  [[nodiscard]] bool hullTurnsOnce() const;
 
  private:
   enum class Step : std::uint8_t { kFaces, kEdges, kHull };
@@ -45,7 +48,6 @@ class Proof {
   void lookAtFaces(std::uint32_t end);
   void lookAtFace(FaceId f);
   void lookAtEdges(std::uint32_t end);
-  [[nodiscard]] bool hullTurnsOnce() const;
   [[nodiscard]] const VoronoiCircle& circle(HalfedgeId h) const {
     return circles_[index(faceOf(h))];
   }

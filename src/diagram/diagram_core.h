@@ -123,7 +123,8 @@ class DiagramCore {
   Moved move(Slot slot, const Site& site);
   /// Moves a site if nothing else changes by that; else false.
   [[nodiscard]] bool moveInPlace(Slot slot, const Site& site);
-  /// Moves those of the sites together for which that is so; the others stay where they are. Should
+  /// Moves those of the sites together for which that is so, or for which edges can be flipped; the
+  /// others stay where they are. Should
   /// they be more than `mostLeft`, all may stay; how many do, but for hidden ones that can be moved
   /// in place.
   std::size_t moveManyInPlace(std::span<const SiteId> ids, std::span<const double> xyr,
@@ -132,9 +133,9 @@ class DiagramCore {
                              const Site& parentSite) const;
   [[nodiscard]] bool coversChildren(Slot slot, const Site& to) const;
   [[nodiscard]] bool staysBelow(Slot slot, const Site& to) const;
-  /// Makes those of moves_ that leave the graph as it is, and keeps only them there; the levels and
-  /// the grid follow.
-  void makeMoves(std::size_t mostLeft);
+  /// Makes those of moves_ that leave the graph as it is, or for which flips make it right, and
+  /// keeps only them there; the levels and the grid follow.
+  void makeMoves(Flips flips, std::size_t mostLeft);
   /// Becomes a diagram built anew of all sites with these moves made (rebuild.cpp). False, and
   /// nothing is changed, if there is no memory for two of them.
   [[nodiscard]] bool rebuildWith(std::span<const SiteId> ids, std::span<const double> xyr,

@@ -129,7 +129,8 @@ void Hierarchy::followOn(unsigned level) {
     moves_[count] = moves_[k];
     slots_[count++] = slots_[k];
   }
-  const std::span<const std::uint8_t> isMade = siteMoves_.apply(delaunay, {moves_.data(), count});
+  const std::span<const std::uint8_t> isMade =
+      siteMoves_.apply(delaunay, {moves_.data(), count}, Flips::kMaybe);
   std::size_t kept = 0;
   for (std::size_t k = 0; k < count; ++k) {
     const Slot slot = slotOf(moves_[k].vertex);

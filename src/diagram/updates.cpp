@@ -1,5 +1,5 @@
 // Moving sites that keep their ids: in place where that changes no face, together as far as it
-// goes, else one by one, or all anew (rebuild.cpp).
+// goes, with flips where a few faces change, else one by one, or all anew (rebuild.cpp).
 #include <algorithm>
 
 #include "base/flat_array.h"
@@ -29,7 +29,7 @@ bool DiagramCore::moveInPlace(Slot slot, const Site& site) {
   }
   if (!delaunay_.graph().hasVertex(vertexOf(slot))) return false;  // the only visible one
   moves_.assign(1, {vertexOf(slot), to});
-  makeMoves(1);
+  makeMoves(Flips::kNone, 1);
   return !moves_.empty();
 }
 
@@ -48,8 +48,8 @@ bool DiagramCore::staysBelow(Slot slot, const Site& to) const {
   return parent != HiddenForest::kNone && mayHang(slot, to, parent, site(parent));
 }
 
-void DiagramCore::makeMoves(std::size_t mostLeft) {
-  const std::span<const std::uint8_t> isMade = siteMoves_.apply(delaunay_, moves_, mostLeft);
+void DiagramCore::makeMoves(Flips flips, std::size_t mostLeft) {
+  const std::span<const std::uint8_t> isMade = siteMoves_.apply(delaunay_, moves_, flips, mostLeft);
   std::size_t made = 0;
   for (std::size_t k = 0; k < moves_.size(); ++k) {
     if (isMade[k] == 0) continue;
@@ -79,7 +79,7 @@ std::size_t DiagramCore::moveManyInPlace(std::span<const SiteId> ids, std::span<
   }
   if (left > mostLeft) return left + moves_.size();
   const std::size_t all = moves_.size();
-  makeMoves(mostLeft - left);
+  makeMoves(Flips::kMaybe, mostLeft - left);
   return left + all - moves_.size();
 }
 
@@ -91,9 +91,17 @@ void DiagramCore::updateMany(std::span<const SiteId> ids, std::span<const double
   for (const std::size_t k : order) before[k] = site(ids_.slotOf(ids[k]));
   FlatArray<Moved> moved(order.size());  // those that were moved one by one, and how
   std::size_t done = 0;
+  bool hasFlipped = false;
+  Graph graphBefore;  // before the flips, if other changes follow
   const auto steps = [&] {
-    if (moveManyInPlace(ids, xyr, order, mostLeft) > mostLeft && rebuildWith(ids, xyr, order))
-      return;
+    const bool isForRebuild = moveManyInPlace(ids, xyr, order, mostLeft) > mostLeft;
+    if (isForRebuild && rebuildWith(ids, xyr, order)) return;
+    hasFlipped = !isForRebuild && siteMoves_.hasFlipped();
+    // From the next change on, the faces that were flipped have other numbers.
+    if (hasFlipped && moves_.size() < order.size()) {
+      graphBefore = Graph(delaunay_.graph());
+      siteMoves_.takeFlipsBack(graphBefore);
+    }
     for (; done < order.size(); ++done) {
       const std::size_t k = order[done];
       moved[done] = move(ids_.slotOf(ids[k]), {xyr[3 * k], xyr[3 * k + 1], xyr[3 * k + 2]});
@@ -116,6 +124,10 @@ void DiagramCore::updateMany(std::span<const SiteId> ids, std::span<const double
       if (areIdentical(from, to)) continue;
       moves_.push_back({vertexOf(slot), from});
       index_.moved(slot, to, from);
+    }
+    if (hasFlipped) {
+      if (graphBefore.isEmpty()) siteMoves_.takeFlipsBack(delaunay_);
+      delaunay_.restoreGraph(graphBefore);
     }
     SiteMoves::takeBack(delaunay_, moves_);
   };

@@ -75,6 +75,25 @@ void Graph::setFace(FaceId f, VertexId a, VertexId b, VertexId c) {
   }
 }
 
+void Graph::flip(HalfedgeId h) {
+  const HalfedgeId t = twin(h);
+  const VertexId i = origin(h), j = origin(t), k = apex(h), l = apex(t);
+  const HalfedgeId jk = twin(next(h)), ki = twin(previous(h)), il = twin(next(t)),
+                   lj = twin(previous(t));
+  halfedges_[index(h)].origin = l;
+  halfedges_[index(t)].origin = k;
+  // None of the four sides has another one as its twin: k and l are not one vertex.
+  const auto setSide = [&](HalfedgeId side, VertexId from, HalfedgeId outer) {
+    halfedges_[index(side)].origin = from;
+    outgoing_[index(from)] = side;
+    sew(side, outer);
+  };
+  setSide(next(h), k, ki);
+  setSide(previous(h), i, il);
+  setSide(next(t), l, lj);
+  setSide(previous(t), j, jk);
+}
+
 void Graph::replaceVertex(VertexId v, VertexId w) {
   for (const HalfedgeId h : star(v)) halfedges_[index(h)].origin = w;
   outgoing_[index(w)] = outgoing_[index(v)];

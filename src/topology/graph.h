@@ -131,6 +131,18 @@ class Graph {
   void replaceStar(VertexId v, std::span<const HalfedgeId> link, std::span<const PatchFace> patch,
                    std::span<FaceId> newFaces);
 
+  /// Replaces the diagonal of the two faces beside h by the other one:
+  ///
+  ///          j ______ l             j ______ l
+  ///          | \\     |              |     /|         h: before i→j, then l→k
+  ///          |  h\\   |       =>     |  h/   |         faceOf(h): before (i, j, k), then (l, k, i)
+  ///          |____\\_|              |/_____|         faceOf(twin): before (j, i, l), then (k, l,
+  ///          j) k       i              k       i
+  ///
+  /// Four times is none, the same half-edges and faces included. REQUIRES: the corners k and l
+  /// beyond h are not one vertex. Needs no room.
+  void flip(HalfedgeId h);
+
   /// Vertex w takes the place of v, which leaves the graph. Cost: O(degree). REQUIRES: room for w.
   void replaceVertex(VertexId v, VertexId w);
 

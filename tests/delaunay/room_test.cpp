@@ -5,8 +5,10 @@
 #include <vector>
 
 #include "delaunay/ears.h"
+#include "delaunay/moves.h"
 #include "delaunay/remove.h"
 #include "support/allocation_count.h"
+#include "support/random.h"
 
 namespace apollonius::internal {
 namespace {
@@ -50,6 +52,33 @@ TEST(Room, ASiteThatMayReturnReturnsWithoutAllocating) {
   graph.insert(vertex(0), kNoVertex);
   EXPECT_EQ(allocationCount, before);
   EXPECT_EQ(graph.visibleCount(), 151u);
+}
+
+TEST(Room, MovesThatFlipEdgesAllocateNothingOnceTheyHaveRoom) {
+  test::Random random(61);
+  DelaunayGraph graph;
+  graph.reserve(401);
+  std::vector<SiteMoves::Move> moves(400);
+  for (std::size_t k = 0; k < moves.size(); ++k) {
+    graph.setSite(vertex(k), {random.between(0, 20), random.between(0, 20), 0});
+    graph.insert(vertex(k), kNoVertex);
+  }
+  SiteMoves siteMoves;
+  int framesWithFlips = 0;
+  for (int frame = 0; frame < 5; ++frame) {
+    for (std::size_t k = 0; k < moves.size(); ++k) {
+      const Site& site = graph.site(vertex(k));
+      const double x = random.between(-0.01, 0.01), y = random.between(-0.01, 0.01);
+      moves[k] = {vertex(k), {site.x + x, site.y + y, 0}};
+    }
+    const std::size_t before = allocationCount;
+    (void)siteMoves.apply(graph, moves, Flips::kMaybe);
+    if (frame > 0) {
+      EXPECT_EQ(allocationCount, before);
+    }
+    framesWithFlips += static_cast<int>(siteMoves.hasFlipped());
+  }
+  EXPECT_EQ(framesWithFlips, 5);
 }
 
 }  // namespace

@@ -2,7 +2,14 @@
 // each step the diagram is valid and that of a fresh construction.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
 #include "apollonius/diagram.h"
+#include "diagram/bulk_insertion.h"
+#include "diagram/diagram_core.h"
 #include "support/canonical.h"
 #include "support/corpus.h"
 #include "support/effort.h"
@@ -108,6 +115,45 @@ TEST_P(MovesOn, ManyAtOnceLeaveTheDiagramOfTheNewSites) {
   }
 }
 
+/// Steps of all sizes, in mean spacings, of sets that are large enough for edges to be flipped in
+/// some: small ones of each site, and of the whole set, which keeps what is degenerate about it.
+TEST_P(MovesOn, StepsOfAllSizesLeaveTheDiagramOfTheNewSites) {
+  Random random(94);
+  Circles circles = GetParam().make(random, GetParam().large ? 200 : 30);
+  if (circles.empty()) return;
+  std::vector<SiteId> ids;
+  Diagram diagram = diagramOf(circles, ids);
+  const double spacing = 2 * extentOf(circles) / std::sqrt(static_cast<double>(circles.size()));
+  for (const double step : {0.0001, 0.001, 0.003, 0.01, 0.03, 0.1, 0.3, 1.0}) {
+    for (const bool isRigid : {false, true}) {
+      const double reach = step * spacing;
+      const double turn = isRigid ? step / 30 : 0, shift = isRigid ? reach : 0;
+      Circles next = circles;
+      for (Circle& c : next) {
+        const double x = c.x, y = c.y;
+        c.x += shift - turn * y;
+        c.y += shift + turn * x;
+        if (isRigid) continue;
+        c.x += random.between(-reach, reach);
+        c.y += random.between(-reach, reach);
+        if (random.oneIn(3)) c.r += random.between(-reach, reach);
+      }
+      const Error error = diagram.updateMany(ids, flat(next));
+      if (error == Error::kOutOfRange) continue;
+      ASSERT_EQ(error, Error::kNone);
+      circles = next;
+      std::string broken;
+      ASSERT_EQ(diagram.validate(broken), Error::kNone);
+      ASSERT_EQ(broken, "") << "step " << step;
+      std::vector<SiteId> freshIds;
+      const Diagram fresh = diagramOf(circles, freshIds);
+      const Canonical expected = canonicalForm(fresh, broken), got = canonicalForm(diagram, broken);
+      ASSERT_EQ(broken, "");
+      ASSERT_EQ(difference(expected, got), "") << "step " << step << ", rigid " << isRigid;
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Corpus, MovesOn, ::testing::ValuesIn(corpus()),
                          [](const auto& parameter) { return parameter.param.name; });
 
@@ -131,6 +177,43 @@ TEST(Moves, AFewSitesJumpAnywhere) {
   }
 }
 
+/// Small circles beside the rims of large ones, which some of them enter at each step and others
+/// leave.
+TEST(Moves, SitesGetHiddenAndAppearWhileEdgesAreFlipped) {
+  Random random(95);
+  const auto n = static_cast<std::size_t>(runs(900));
+  Circles circles;
+  const double side = std::sqrt(static_cast<double>(n));
+  while (circles.size() < n) {
+    const Circle large{random.between(0, side), random.between(0, side), random.between(0.3, 0.6)};
+    circles.push_back(large);
+    const double r = random.between(0, 0.2), way = large.r - r + random.between(-0.01, 0.01);
+    const double t = random.between(-1, 1), norm = 1 + t * t;
+    circles.push_back({large.x + way * (1 - t * t) / norm, large.y + way * 2 * t / norm, r});
+  }
+  std::vector<SiteId> ids, freshIds;
+  Diagram diagram = diagramOf(circles, ids);
+  std::size_t least = n, most = 0;
+  for (int frame = 0; frame < 12; ++frame) {
+    const double reach = frame % 3 == 0 ? 0.003 : 0.0005;
+    for (Circle& c : circles) {
+      c.x += random.between(-reach, reach);
+      c.y += random.between(-reach, reach);
+    }
+    ASSERT_EQ(diagram.updateMany(ids, flat(circles)), Error::kNone);
+    least = std::min(least, diagram.hiddenSize());
+    most = std::max(most, diagram.hiddenSize());
+    std::string broken;
+    ASSERT_EQ(diagram.validate(broken), Error::kNone);
+    ASSERT_EQ(broken, "") << "frame " << frame;
+    const Diagram fresh = diagramOf(circles, freshIds);
+    const Canonical expected = canonicalForm(fresh, broken), got = canonicalForm(diagram, broken);
+    ASSERT_EQ(difference(expected, got), "") << "frame " << frame;
+  }
+  EXPECT_GT(least, 0u);
+  EXPECT_LT(least, most);
+}
+
 TEST(Moves, HiddenSitesFollowTheirCover) {
   std::vector<SiteId> ids;
   Diagram diagram =
@@ -144,6 +227,28 @@ TEST(Moves, HiddenSitesFollowTheirCover) {
   std::string broken;
   ASSERT_EQ(diagram.validate(broken), Error::kNone);
   EXPECT_EQ(broken, "");
+}
+
+/// What builds the diagram anew says so by its layout.
+TEST(Moves, AFewFlipsBuildNothingAnewAndFarMovesDo) {
+  Random random(96);
+  const auto n = static_cast<std::size_t>(runs(2000));
+  const double spacing = 2e6 / std::sqrt(static_cast<double>(n));  // of what randomCircles() makes
+  for (const Hidden hidden : {Hidden::kNone, Hidden::k5Percent}) {
+    Circles circles = randomCircles(random, n, hidden);
+    DiagramCore core(Location::kHierarchy);
+    std::vector<SiteId> ids(n);
+    insertAll(core, flat(circles), ids);
+    for (const double step : {0.01, 0.02, 30.0}) {
+      for (Circle& c : circles) {
+        c.x += step * spacing * random.between(-1, 1);
+        c.y += step * spacing * random.between(-1, 1);
+      }
+      const std::uint32_t layout = core.layout();
+      core.updateMany(ids, flat(circles));
+      EXPECT_EQ(core.layout() == layout, step < 1) << "step " << step;
+    }
+  }
 }
 
 }  // namespace

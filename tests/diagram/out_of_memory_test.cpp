@@ -285,7 +285,21 @@ std::vector<NamedOperation> changesOfAll(const Circles& circles, const Circle& g
       return d.removeMany(which, removed);
     };
   };
+  // A hundredth of a spacing, which flips edges; then one that is to be hidden, which has no
+  // memory.
+  const auto jittered = [=](std::size_t hiddenOne) {
+    return [=](std::size_t k, Circle& c) {
+      const auto share = [k](double step) {
+        return step * static_cast<double>(k) - std::floor(step * static_cast<double>(k)) - 0.5;
+      };
+      c = {c.x + 3e3 * share(0.618), c.y + 3e3 * share(0.414), c.r};
+      if (k == hiddenOne) c = {circles[0].x, circles[0].y, circles[0].r / 2};
+    };
+  };
   return {
+      {"updateMany, flips", updateTo(jittered(n))},
+      {"updateMany, flips and an early one elsewhere", updateTo(jittered(3))},
+      {"updateMany, flips and a late one elsewhere", updateTo(jittered(n - 3))},
       {"updateMany, all a little",
        updateTo([](std::size_t k, Circle& c) { c.x += static_cast<double>(k % 7); })},
       {"updateMany, all a little upwards",
@@ -345,6 +359,47 @@ TEST_P(OutOfMemory, MovesInPlaceGoBackInTheirOrder) {
   }
   failAll(circles, operations);
   EXPECT_GT(failed_, 6);
+}
+
+/// A call that flips edges, and one that has no room to build the diagram anew: its way back has
+/// nothing to do with those flips.
+TEST_P(OutOfMemory, FlipsOfAnEarlierCallStay) {
+  Random random(10);
+  const Circles circles = randomCircles(random, kEffortDivisor > 1 ? 60 : 200, Hidden::k20Percent);
+  std::vector<SiteId> ids(circles.size());
+  std::iota(ids.begin(), ids.end(), SiteId{0});
+  Circles little = circles, far = circles;
+  for (Circle& c : little) {
+    c.x += random.between(-3e3, 3e3);
+    c.y += random.between(-3e3, 3e3);
+  }
+  std::reverse(far.begin(), far.end());
+  const std::vector<double> littleXyr = flat(little), farXyr = flat(far);
+  Diagram expected, other;
+  build(expected, circles);
+  build(other, far);
+  ASSERT_EQ(expected.updateMany(ids, littleXyr), Error::kNone);
+  const State before(expected), after(other);
+  for (std::size_t at = 0;; at += 1 + at / 10) {
+    Diagram diagram;
+    build(diagram, circles);
+    ASSERT_EQ(diagram.updateMany(ids, littleXyr), Error::kNone);
+    heap.arm();
+    if (GetParam() == Failure::kOnce) {
+      heap.failAt = at;
+    } else {
+      heap.limit = heap.live + 64 * at;
+    }
+    const Error error = diagram.updateMany(ids, farXyr);
+    heap.disarm();
+    const bool isDone = heap.failures == 0;
+    failed_ += error == Error::kOutOfMemory;
+    const State now(diagram);
+    ASSERT_EQ(now.broken, "") << "at " << at;
+    ASSERT_TRUE(now == (error == Error::kNone ? after : before)) << "at " << at;
+    if (isDone) break;
+  }
+  EXPECT_GT(failed_, 1);
 }
 
 TEST_P(OutOfMemory, HiddenSitesThatMovedBelowTheirParentGoBack) {
