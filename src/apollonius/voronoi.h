@@ -105,10 +105,10 @@ struct NaturalWeights {
 /// The largest aspect of an ellipse inside; 1 / kMostAspect is the smallest.
 inline constexpr double kMostAspect = 1000;
 
-/// The largest circle inside rings of curves, seven numbers each; starts[k] is the first curve of
-/// ring k, and the last entry the number of curves. As Voronoi::cellCircle(); NaN without curves.
-/// Errors: kBadLength unless lengths and starts fit, kNotFinite, kOutOfRange, kNoConvergence,
-/// kOutOfMemory.
+/// The largest circle inside rings of curves that do not cross, seven numbers each; starts[k] is
+/// the first curve of ring k, and the last entry the number of curves. As Voronoi::cellCircle();
+/// NaN without curves. Errors: kBadLength unless lengths and starts fit, kNotFinite, kOutOfRange,
+/// kNoConvergence, kOutOfMemory.
 [[nodiscard]] APOLLONIUS_EXPORT Error innerCircle(std::span<const double> curves,
                                                   std::span<const std::uint32_t> starts,
                                                   double aspect, Circle& circle);

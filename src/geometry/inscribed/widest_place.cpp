@@ -16,8 +16,8 @@ constexpr double kGap = powerOfTwo(-11);  // a place that is better by this shar
 constexpr double kShare = powerOfTwo(-13);  // heights of pieces, of the r of a place
 /// Cells at random take some twenty looks, thin rings some hundred for each of their sides.
 constexpr std::size_t kMostLooks = 1 << 14, kLooksOfCurve = 1 << 7;
-constexpr std::size_t kManyPieces = 256;  // in a box, from which on no strips are looked for
-constexpr double kParallel = 0.9;         // the cosine from which on two pieces are side by side
+constexpr std::size_t kManyPieces = 64;  // in a box, from which on no strips are looked for
+constexpr double kParallel = 0.9;        // the cosine from which on two pieces are side by side
 /// Near a box no more pieces are halved than make so many.
 constexpr std::size_t kManyNear = 64;
 /// Fewer are halved as they come, not the highest first.
@@ -290,22 +290,20 @@ void WidestPlace::boundByStrips(const Box& box, Mean& mean) {
     for (std::size_t n = k; n > 0 && meeting_[n].position < meeting_[n - 1].position; --n)
       std::swap(meeting_[n], meeting_[n - 1]);
   isSideBySide_ = true;
-  // How far a part goes beyond the line of the one before or behind it
-  const auto overlap = [&](const Meeting& one, const Meeting& other) {
-    const double most = std::max(dot(one.normal, other.part.a - one.part.a),
-                                 dot(one.normal, other.part.b - one.part.a));
-    const double least = std::min(dot(one.normal, other.part.a - one.part.a),
-                                  dot(one.normal, other.part.b - one.part.a));
-    return one.position < other.position ? -least : most;
-  };
+  // The order of two curves may be another one where a part goes beyond the line of a part that is
+  // farther on, or where that is less than their heights.
   const std::size_t count = meeting_.size();
-  double beyond = 0;  // of its line, a piece may be anywhere up to its height
+  double height = 0, overlap = 0;
   for (std::size_t k = 0; k < count; ++k) {
-    beyond = std::max(beyond, meeting_[k].height);
-    if (k > 0)
-      beyond = std::max(
-          {beyond, overlap(meeting_[k], meeting_[k - 1]), overlap(meeting_[k - 1], meeting_[k])});
+    const auto& [piece, own, part, normal, isThrough, position] = meeting_[k];
+    height = std::max(height, own);
+    for (std::size_t n = 0; n < count; ++n) {
+      const double one = dot(normal, meeting_[n].part.a - part.a),
+                   other = dot(normal, meeting_[n].part.b - part.a);
+      overlap = std::max(overlap, n < k ? std::max(one, other) : -std::min(one, other));
+    }
   }
+  const double beyond = 2 * height + overlap;
   if (!(beyond < box.reach / 4)) return;
   const auto isCornerInside = [&](Point way) {
     return border_.surrounds(
@@ -358,7 +356,7 @@ double WidestPlace::excess(Bound::By by, std::uint32_t number, Point center, Poi
     const double most = mostOf(along, half);
     return std::max(0.0, std::max(most + before, most - behind));
   }
-  if (number != kCircle) {
+  if (number != kCircle && !(slope == Point{})) {
     // Linear, if the feet of all places are on the chord, and all places on one side of it.
     const BorderChord chord = border_.chord(number);
     const Point along{slope.y, -slope.x};
