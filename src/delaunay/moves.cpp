@@ -187,7 +187,7 @@ bool SiteMoves::hasMovedCorner(FaceId f) const {
          isMoved(graph.origin(halfedgeOf(f, 2)));
 }
 
-/// Of the faces that have moved corners.
+/// Faces that have moved corners.
 void SiteMoves::computeCircles() {
   const Graph& graph = delaunay_->graph();
   CircleBatch batch([this](std::uint32_t position, const VoronoiCircle& circle) {
@@ -412,7 +412,7 @@ void SiteMoves::takeBackOneOf(FaceId f) {
   isStuck_ = true;
 }
 
-/// What is known of changed faces becomes what the diagram knows, and the reverse.
+/// Exchanges what is known of changed faces and what the diagram knows of them.
 void SiteMoves::swapCircles() noexcept {
   for (ChangedFace& changed : changed_) {
     if (changed.isActive) delaunay_->swapCircle(changed.face, changed.circle);

@@ -229,7 +229,7 @@ TEST(Moves, HiddenSitesFollowTheirCover) {
   EXPECT_EQ(broken, "");
 }
 
-/// What builds the diagram anew says so by its layout.
+/// A diagram that is built anew says so by its layout.
 TEST(Moves, AFewFlipsBuildNothingAnewAndFarMovesDo) {
   Random random(96);
   const auto n = static_cast<std::size_t>(runs(2000));

@@ -121,7 +121,7 @@ TEST(InnerCircle, OfStarsAndCombsOfManySides) {
 
 // The middle of a box can be on a side: of ten teeth, 20 wide, that was taken for no room at all.
 TEST(InnerCircle, OfCombs) {
-  for (const int teeth : {1, 2, 3, 10, 21}) {
+  for (const int teeth : {2, 3, 10, 21}) {
     for (const double turn : {0.0, 0.3, std::numbers::pi / 2}) {
       Points comb{{0, -1}, {2.0 * teeth, -1}, {2.0 * teeth, 0}};
       for (int k = teeth - 1; k >= 0; --k)

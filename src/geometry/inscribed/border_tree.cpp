@@ -30,6 +30,21 @@ bool isRayCrossing(const BorderChord& chord, Point p) {
 
 }  // namespace
 
+bool BorderChord::clip(Point half) {
+  const Point from = a, way = b - a;
+  double begin = 0, end = 1;
+  const auto cut = [&](double at, double step, double most) {
+    if (step == 0) return absolute(at) <= most;
+    const double one = (-most - at) / step, other = (most - at) / step;
+    begin = std::max(begin, std::min(one, other));
+    end = std::min(end, std::max(one, other));
+    return begin <= end;
+  };
+  if (!cut(from.x, way.x, half.x) || !cut(from.y, way.y, half.y)) return false;
+  *this = {from + begin * way, from + end * way};
+  return true;
+}
+
 void BorderTree::push(const Conic& curve, std::uint32_t curves) {
   Piece piece{curve};
   piece.height = kRounded * curve.sagitta();
@@ -82,7 +97,7 @@ std::uint32_t BorderTree::firstHalf(std::uint32_t piece) {
   return half;
 }
 
-double BorderTree::distance(Point p, double share, double enough, Point* foot) {
+double BorderTree::distance(Point p, double share, double enough) {
   const auto seen = [&](std::uint32_t piece) {
     todo_.push_back({piece, distanceTo(chord(piece), p)});
   };
@@ -98,7 +113,6 @@ double BorderTree::distance(Point p, double share, double enough, Point* foot) {
     const std::uint32_t half = height > share * low ? firstHalf(one.piece) : kWhole;
     if (half == kWhole) {
       least = low;
-      if (foot != nullptr) *foot = chord(one.piece).nearestTo(p);
       continue;
     }
     seen(half);
@@ -107,6 +121,48 @@ double BorderTree::distance(Point p, double share, double enough, Point* foot) {
     if (other.distance < last.distance) std::swap(last, other);  // the nearer one first
   }
   return least;
+}
+
+bool BorderTree::meets(Point center, Point half, Point& place) {
+  todo_.clear();
+  for (const std::uint32_t ring : rings_) todo_.push_back({ring, 0});
+  while (!todo_.empty()) {
+    const std::uint32_t piece = todo_.back().piece;
+    todo_.pop_back();
+    const auto [a, b] = chord(piece);
+    const double height = pieces_[piece].height;
+    BorderChord part{a - center, b - center};
+    if (!part.clip({half.x + height, half.y + height})) continue;
+    const std::uint32_t first = firstHalf(piece);
+    if (first == kWhole) {
+      place = center + middle(part.a, part.b);
+      return true;
+    }
+    todo_.push_back({first + 1, 0});
+    todo_.push_back({first, 0});
+  }
+  return false;
+}
+
+void BorderTree::listMeeting(Point center, Point half, double fine,
+                             FlatArray<std::uint32_t>& pieces) {
+  pieces.assign(rings_);
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < pieces.size(); ++k) {
+    const std::uint32_t piece = pieces[k];
+    const auto [a, b] = chord(piece);
+    const double height = pieces_[piece].height;
+    BorderChord part{a - center, b - center};
+    if (!part.clip({half.x + height, half.y + height})) continue;
+    const std::uint32_t first = height > fine ? firstHalf(piece) : kWhole;
+    if (first == kWhole) {
+      pieces[kept++] = piece;
+    } else {
+      pieces.push_back(first);
+      pieces.push_back(first + 1);
+    }
+  }
+  pieces.setSize(kept);
 }
 
 // The curve of a piece and its chord, backwards, are a closed curve within the height of the chord.
@@ -137,7 +193,7 @@ bool BorderTree::surrounds(Point p) {
 double BorderTree::overhang(std::uint32_t piece, double most) {
   const double known = pieces_[piece].overhang;
   if (known == kUnknown || (known > most && known < kInfinite)) {
-    // What others are off by matters as much as what the piece itself is.
+    // Heights of others matter as much as that of the piece itself.
     const double fine = std::max(2 * pieces_[piece].height, finest_ / 8);
     const double found = overhangOf(chord(piece), fine, most);
     pieces_[piece].overhang = found;  // not before: pieces may have been added

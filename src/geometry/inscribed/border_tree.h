@@ -21,6 +21,8 @@ struct BorderChord {
     const double along = dot(p - a, way), square = dot(way, way);
     return along >= square ? b : along > 0 ? a + (along / square) * way : a;
   }
+  /// Becomes its part in a box about the origin; false if there is none.
+  [[nodiscard]] bool clip(Point half);
 };
 
 class BorderTree {
@@ -53,9 +55,12 @@ class BorderTree {
   // border of which a place sees few pieces at about the same distance.
 
   /// No more than the distance from a place to the border, and within the share of it; or any value
-  /// that is at most `enough`, if the distance is. `foot` becomes the nearest place of a chord.
-  /// Cost: O(log n).
-  [[nodiscard]] double distance(Point p, double share, double enough, Point* foot = nullptr);
+  /// that is at most `enough`, if the distance is. Cost: O(log n).
+  [[nodiscard]] double distance(Point p, double share, double enough);
+  /// Does the border meet a box? Then `place` becomes a place of it there. Cost: O(log n).
+  [[nodiscard]] bool meets(Point center, Point half, Point& place);
+  /// Replaces `pieces` by those that meet a box, of heights of at most `fine` where possible.
+  void listMeeting(Point center, Point half, double fine, FlatArray<std::uint32_t>& pieces);
   /// Is a place inside the rings? By the even-odd rule. Cost: O(log n).
   [[nodiscard]] bool surrounds(Point p);
   /// How far the border, and so the domain, goes beyond the line of a piece's chord to the right of

@@ -118,13 +118,13 @@ class Finder {
     FlatArray<char> isAsked(core_.ids().slots(), 0);
     FlatArray<Candidate> places;  // a heap of those that were found in cells
     // False if the search does not end.
-    const auto look = [&](Slot slot, const Place& known) {
+    const auto look = [&](Slot slot, const Place& known, double largest) {
       if (isAsked[slot] != 0) return true;
       isAsked[slot] = 1;
       const Cell& cell = cells->find(slot);
       if (cell.pieces.empty()) return true;  // too thin to have a part
       copyCurves(cell, curves);
-      outline.clear(grain);
+      outline.clear(grain / 2);
       for (std::size_t k = 0; k < cell.ringCount(); ++k)
         outline.addRing(
             std::span(curves).subspan(cell.starts[k], cell.starts[k + 1] - cell.starts[k]));
@@ -132,7 +132,8 @@ class Finder {
       const CellOfObstacle own{{{site.x, site.y}, site.r}, outline};
       Place best = known;
       if (!search.find(boxOf(curves), grain, best, &own)) return false;
-      pushOnto(places, {best.at, {}, best.r, core_.ids().idOf(slot)});
+      // A larger one is beside a candidate of the cell that was taken or is in another circle.
+      if (best.r <= largest) pushOnto(places, {best.at, {}, best.r, core_.ids().idOf(slot)});
       return true;
     };
     while (chosen_.size() < most && !(candidates_.empty() && places.empty())) {
@@ -148,7 +149,8 @@ class Finder {
       }
       const bool isCorner = one.cells[0] == kNoSlot;
       for (const Slot slot : one.cells)
-        if (!look(isCorner ? core_.ids().slotOf(one.site) : slot, {one.at, room})) return false;
+        if (!look(isCorner ? core_.ids().slotOf(one.site) : slot, {one.at, room}, one.r))
+          return false;
     }
     return true;
   }

@@ -34,7 +34,7 @@ bool InnerCircleFinder::find(std::span<const Conic> curves, std::span<const std:
     curves = narrowed_;
   }
   const Rectangle box = boxOf(curves);
-  border_.clear(grainOf(box));
+  border_.clear(grainOf(box) / 2);
   for (std::size_t k = 1; k < starts.size(); ++k)
     border_.addRing(curves.subspan(starts[k - 1], starts[k] - starts[k - 1]));
   // A point of the border is a circle, too: where no double is inside, the only one.

@@ -15,7 +15,7 @@ namespace {
 constexpr double kGap = powerOfTwo(-11);  // a place that is better by this share is not looked for
 constexpr double kShare = powerOfTwo(-13);  // heights of pieces, of the r of a place
 /// Cells at random take some twenty looks, thin rings some hundred for each of their sides.
-constexpr std::size_t kMostLooks = 1 << 14, kLooksOfCurve = 1 << 7;
+constexpr std::size_t kMostLooks = 1 << 16, kLooksOfCurve = 1 << 7;
 constexpr std::size_t kManyPieces = 64;  // in a box, from which on no strips are looked for
 constexpr double kParallel = 0.9;        // the cosine from which on two pieces are side by side
 /// Near a box no more pieces are halved than make so many.
@@ -37,22 +37,6 @@ Vector cross(const Vector& a, const Vector& b) {
 }
 double dot(const Vector& a, const Vector& b) { return a.x * b.x + a.y * b.y + a.r * b.r; }
 
-/// The part of a chord in a box about the origin; false if there is none.
-bool clip(BorderChord& chord, Point half) {
-  const Point from = chord.a, way = chord.b - chord.a;
-  double begin = 0, end = 1;
-  const auto cut = [&](double at, double step, double most) {
-    if (step == 0) return absolute(at) <= most;
-    const double one = (-most - at) / step, other = (most - at) / step;
-    begin = std::max(begin, std::min(one, other));
-    end = std::min(end, std::max(one, other));
-    return begin <= end;
-  };
-  if (!cut(from.x, way.x, half.x) || !cut(from.y, way.y, half.y)) return false;
-  chord = {from + begin * way, from + end * way};
-  return true;
-}
-
 /// Is a point outside of a box about the origin, or on its border?
 bool isBeyond(Point p, Point half) { return absolute(p.x) >= half.x || absolute(p.y) >= half.y; }
 
@@ -70,7 +54,8 @@ double mostOf(Point slope, Point half) {
 }  // namespace
 
 bool WidestPlace::isEnough(double most) const {
-  return !(most - best_.r > kGap * absolute(best_.r) + grain_);
+  // A bound and a place are off by the heights of pieces that are not halved, too.
+  return !(most - best_.r > kGap * absolute(best_.r) + 2 * grain_);
 }
 
 bool WidestPlace::find(const Rectangle& box, double grain, Place& best,
@@ -123,6 +108,7 @@ void WidestPlace::look(Box box, std::uint32_t near, std::uint32_t end) {
       box.isFree = true;
     }
     listBounds(box);
+    if (cell_ != nullptr && !box.isFree) listWalls(box);
     mean = leastMean(box.half);
     isSideBySide_ = false;
     if (!isEnough(mean.most)) boundByStrips(box, mean);
@@ -137,8 +123,8 @@ void WidestPlace::look(Box box, std::uint32_t near, std::uint32_t end) {
   }
   if (box.above > best_.r) consider(box.center);
   if (isEnough(box.most)) return;
-  const double acrossWidth = excessOf(mean, box.center, {box.half.x / 2, box.half.y}),
-               acrossHeight = excessOf(mean, box.center, {box.half.x, box.half.y / 2});
+  const double acrossWidth = lossOf(mean, box, {box.half.x / 2, box.half.y}),
+               acrossHeight = lossOf(mean, box, {box.half.x, box.half.y / 2});
   const bool isClear = absolute(acrossWidth - acrossHeight) > (box.most - best_.r) / 8;
   box.isWide = isClear ? acrossWidth < acrossHeight : box.half.x >= box.half.y;
   box.near = static_cast<std::uint32_t>(near_.size());
@@ -159,7 +145,7 @@ void WidestPlace::gather(Box& box, std::uint32_t near, std::uint32_t end) {
     halve(box, most);
   if (seen_.size() >= kManyNear) {
     const double distance = border_.distance(box.center, kShare, 0);
-    box.above = std::min(box.above, distance * (1 + kShare) + grain_);
+    box.above = std::min(box.above, distance * (1 + 2 * kShare) + grain_);
   }
 }
 
@@ -204,6 +190,7 @@ bool WidestPlace::refine(Box& box, const Mean& mean) {
   const std::size_t before = seen_.size();
   for (std::size_t k = 0; k < 3; ++k) {
     if (mean.weights[k] == 0) continue;
+    if (bounds_[mean.bounds[k]].by == Bound::By::kWall) continue;
     const std::uint32_t number = bounds_[mean.bounds[k]].number;
     for (std::size_t n = 0; n < seen_.size(); ++n) {
       if (seen_[n].number != number) continue;
@@ -216,7 +203,8 @@ bool WidestPlace::refine(Box& box, const Mean& mean) {
   return seen_.size() > before;
 }
 
-/// The same for pieces that lead through the box side by side; meeting_ is in their order.
+/// Halves pieces that lead through the box side by side, in the order of meeting_, where heights
+/// matter to their strips; false if there are none.
 bool WidestPlace::refineStrips(Box& box) {
   if (!isSideBySide_) return false;
   const double width =
@@ -241,7 +229,7 @@ void WidestPlace::listMeeting(const Box& box) {
                       whole{chord.a - box.center, chord.b - box.center};
     const Point half{box.half.x + height, box.half.y + height};
     BorderChord part = whole;
-    if (!clip(part, half)) continue;
+    if (!part.clip(half)) continue;
     const Point normal = leftOf(unit(chord.b - chord.a));
     const bool isThrough = isBeyond(whole.a, half) && isBeyond(whole.b, half);
     meeting_.push_back({number, height, part, normal, isThrough, 0});
@@ -273,18 +261,44 @@ void WidestPlace::listBounds(const Box& box) {
   }
 }
 
+/// Lines of the cell's outline that have all of the cell on one side.
+void WidestPlace::listWalls(const Box& box) {
+  BorderTree& outline = cell_->outline;
+  outline.listMeeting(box.center, box.half, box.reach / kFine, outline_);
+  for (const std::uint32_t piece : outline_) {
+    const double overhang =
+        outline.overhang(piece, std::max(2 * outline.height(piece), 4 * grain_));
+    if (!(overhang < kInfinite)) continue;
+    const BorderChord chord = outline.chord(piece);
+    const Point normal = leftOf(unit(chord.b - chord.a));
+    const double value = dot(normal, box.center - chord.a);
+    bounds_.push_back({Bound::By::kWall, piece, value + overhang, 0, normal});
+  }
+}
+
 /// Where all pieces in a box lead through it side by side, what is inside is strips between them,
 /// and each strip is on one side of the lines of two pieces, or of one. Then `mean` becomes that of
 /// the strip with the most room, with its bounds at the end of bounds_. A place is tried in each.
 void WidestPlace::boundByStrips(const Box& box, Mean& mean) {
   if (meeting_.empty() || meeting_.size() > kManyPieces) return;
-  const Point across = meeting_[0].normal;
+  const Point across = meeting_[0].normal, along = leftOf(across);
+  double low = -kInfinite, high = kInfinite;
   for (Meeting& one : meeting_) {
     if (!one.isThrough) return;
     const double cosine = dot(one.normal, across);
     if (!(absolute(cosine) > kParallel)) return;
     if (cosine < 0) one.normal = -1 * one.normal;
-    one.position = dot(across, middle(one.part.a, one.part.b));
+    const double from = dot(along, one.part.a), to = dot(along, one.part.b);
+    low = std::max(low, std::min(from, to));
+    high = std::min(high, std::max(from, to));
+  }
+  // A line across all of them passes them in the order of the strips. There is none where one cuts
+  // off a corner of the box, and the next one another corner.
+  if (!(low < high)) return;
+  for (Meeting& one : meeting_) {
+    const Point way = one.part.b - one.part.a;
+    const double share = ((low + high) / 2 - dot(along, one.part.a)) / dot(along, way);
+    one.position = dot(across, one.part.a + share * way);
   }
   for (std::size_t k = 1; k < meeting_.size(); ++k)  // they are few
     for (std::size_t n = k; n > 0 && meeting_[n].position < meeting_[n - 1].position; --n)
@@ -348,7 +362,7 @@ double WidestPlace::distanceOf(std::uint32_t number, Point p) const {
 /// corner of the box at most.
 double WidestPlace::excess(Bound::By by, std::uint32_t number, Point center, Point half,
                            Point slope) const {
-  if (by == Bound::By::kLine) return 0;
+  if (by == Bound::By::kLine || by == Bound::By::kWall) return 0;
   if (by == Bound::By::kSide) {  // the way from the foot on the line to the chord
     const BorderChord chord = border_.chord(number);
     const Point along{slope.y, -slope.x};
@@ -378,7 +392,10 @@ WidestPlace::Mean WidestPlace::leastMean(Point half) const {
   // Constraints: r - slope p <= value of each bound; then the sides x <= half.x, …
   const auto bounds = static_cast<std::uint32_t>(bounds_.size());
   const auto normalOf = [&](std::uint32_t k) -> Vector {
-    if (k < bounds) return {-bounds_[k].slope.x, -bounds_[k].slope.y, 1};
+    if (k < bounds) {
+      const double r = bounds_[k].by == Bound::By::kWall ? 0 : 1;
+      return {-bounds_[k].slope.x, -bounds_[k].slope.y, r};
+    }
     const double sign = (k - bounds) % 2 == 0 ? 1 : -1;
     return k - bounds < 2 ? Vector{sign, 0, 0} : Vector{0, sign, 0};
   };
@@ -388,6 +405,7 @@ WidestPlace::Mean WidestPlace::leastMean(Point half) const {
   std::uint32_t first = 0;
   double least = kInfinite;
   for (std::uint32_t k = 0; k < bounds; ++k) {
+    if (bounds_[k].by == Bound::By::kWall) continue;
     const double most = bounds_[k].value + mostOf(bounds_[k].slope, half);
     if (most < least) {
       least = most;
@@ -449,7 +467,7 @@ WidestPlace::Mean WidestPlace::leastMean(Point half) const {
     const Bound& bound = bounds_[basis[k]];
     mean.bounds[k] = basis[k];
     mean.weights[k] = weights[k];
-    sum += weights[k];
+    if (bound.by != Bound::By::kWall) sum += weights[k];
     value += weights[k] * bound.value;
     together = together + weights[k] * bound.slope;
   }
@@ -481,7 +499,7 @@ double WidestPlace::boundAround(const Box& box, const Mean& mean) {
     least = kInfinite;
     for (std::size_t k = 0; k < 3; ++k) {
       const Bound& bound = bounds_[mean.bounds[k]];
-      if (bound.by == Bound::By::kSide) return kInfinite;
+      if (bound.by == Bound::By::kSide || bound.by == Bound::By::kWall) return kInfinite;
       if (bound.by == Bound::By::kLine) {
         slopes[k] = bound.slope;
         values[k] = bound.value + dot(bound.slope, p - box.center);
@@ -518,28 +536,30 @@ double WidestPlace::boundAround(const Box& box, const Mean& mean) {
   return farthest + std::max(0.0, reach * (reach / (2 * least) - inner));
 }
 
-/// What the bounds of a mean would be above linear functions, in a box of other extents.
-double WidestPlace::excessOf(const Mean& mean, Point center, Point half) const {
-  double sum = 0;
+/// How much the largest value of a mean in a box of these extents is above what places there may
+/// have: the excess; and where a part of the box is outside, which may be the one with that value,
+/// what the mean grows by from the centre.
+double WidestPlace::lossOf(const Mean& mean, const Box& box, Point half) const {
+  double loss = 0;
+  Point together{};
   for (std::size_t k = 0; k < 3; ++k) {
     if (mean.weights[k] == 0) continue;
     const Bound& bound = bounds_[mean.bounds[k]];
-    sum += mean.weights[k] * excess(bound.by, bound.number, center, half, bound.slope);
+    loss += mean.weights[k] * excess(bound.by, bound.number, box.center, half, bound.slope);
+    together = together + mean.weights[k] * bound.slope;
   }
-  return sum;
+  return box.isFree ? loss : loss + mostOf(together, half);
 }
 
-/// Is a part of the box in the cell? A place on the outline is tried, if there is one.
+/// Is a part of the box in the cell? A place on the outline is tried, if one is in the box.
 bool WidestPlace::isInside(Box& box) {
-  BorderTree& outline = cell_->outline;
-  Point foot;
-  const double distance = outline.distance(box.center, 0, -1, &foot);
-  if (distance <= box.reach) {
-    consider(foot, true);
-  } else {
-    box.isFree = outline.surrounds(box.center);
+  Point place;
+  if (cell_->outline.meets(box.center, box.half, place)) {
+    consider(place, true);
+    return true;
   }
-  return distance <= box.reach || box.isFree;
+  box.isFree = cell_->outline.surrounds(box.center);
+  return box.isFree;
 }
 
 /// Takes a place if it is inside and better.

@@ -76,15 +76,16 @@ class WidestPlace {
     bool isThrough;    // does it lead through the box?
     double position;
   };
-  /// A function of p that is not below the distance in the box: value + slope (p - centre).
+  /// A function of p that is not below the distance in the box: value + slope (p - centre). For a
+  /// wall, one that is not below 0 in the cell.
   struct Bound {
-    enum class By : std::uint8_t { kDistance, kSide, kLine } by;
-    std::uint32_t number;
-    double value;  // with the excess of a convex function over a linear one
+    enum class By : std::uint8_t { kDistance, kSide, kLine, kWall } by;
+    std::uint32_t number;  // as in Near; for a wall, of a piece of the cell's outline
+    double value;          // with the excess of a convex function over a linear one
     double excess;
     Point slope;
   };
-  /// A combination of bounds, with weights that add up to 1.
+  /// A combination of bounds, with weights of which those of distances add up to 1.
   struct Mean {
     std::uint32_t bounds[3];
     double weights[3];
@@ -103,13 +104,14 @@ class WidestPlace {
   [[nodiscard]] bool refineStrips(Box& box);
   void listMeeting(const Box& box);
   void listBounds(const Box& box);
+  void listWalls(const Box& box);
   void boundByStrips(const Box& box, Mean& mean);
   [[nodiscard]] double excess(Bound::By by, std::uint32_t number, Point center, Point half,
                               Point slope) const;
   [[nodiscard]] double distanceOf(std::uint32_t number, Point p) const;
   [[nodiscard]] Mean leastMean(Point half) const;
   [[nodiscard]] double boundAround(const Box& box, const Mean& mean);
-  [[nodiscard]] double excessOf(const Mean& mean, Point center, Point half) const;
+  [[nodiscard]] double lossOf(const Mean& mean, const Box& box, Point half) const;
   void consider(Point p, bool isInside = false);
   [[nodiscard]] bool isEnough(double most) const;
 
@@ -124,6 +126,7 @@ class WidestPlace {
   FlatArray<Meeting> meeting_;
   bool isSideBySide_ = false;
   FlatArray<Bound> bounds_;
+  FlatArray<std::uint32_t> outline_;  // pieces of the cell's outline that meet the box
 };
 
 }  // namespace apollonius::internal

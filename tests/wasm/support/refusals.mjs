@@ -79,14 +79,14 @@ export const unknownOption = (call) => [
 ];
 /** Of calls that search thin windows: one that goes to and fro along a line. */
 export const scribble = (() => {
-  let state = 4;
+  let state = 3;
   const next = () => {
     state = (state * 1103515245 + 12345) % 2 ** 31;
     return state / 2 ** 31;
   };
-  return Array.from({ length: 16 }, () => {
+  return Array.from({ length: 12 }, () => {
     const x = next();
-    return [x, 0.7 * x + 1e-14 * next()];
+    return [x, 0.7 * x + 3e-14 * next()];
   });
 })();
 export const searchedBy = (call) => [
