@@ -354,6 +354,70 @@ TEST(EmptyCircles, OfTwoPointsInARectangle) {
   EXPECT_TRUE(std::is_sorted(circles.clearance.rbegin(), circles.clearance.rend()));
 }
 
+// Found by such windows: cells with an edge beside a side of the window, where r is the same all
+// along it; two sides that cut off two corners of a box, which were taken for a strip; circles out
+// of order; clusters of sites some doubles apart.
+TEST(EmptyCircles, InsidePolygonsOfAllShapesAroundAllKindsOfSites) {
+  Random random(98);
+  for (int run = 0; run < sized(240, 6000); ++run) {
+    SCOPED_TRACE(run);
+    const int kind = run % 4;
+    const std::size_t n = 1 + random.below(std::size_t{30});
+    Circles circles;
+    for (std::size_t k = 0; k < n; ++k) {
+      const double u = random.unit(), v = random.unit(), share = static_cast<double>(k) / 30;
+      if (kind == 0) circles.push_back({u, v, 0});
+      if (kind == 1) circles.push_back({u, v, 0.2 * share * share * share});
+      if (kind == 2) circles.push_back({share, 0.5, 0.01 * u});
+      if (kind == 3) circles.push_back({0.3 + 1e-7 * u * u, 0.3 + 1e-7 * v * v, 0});
+    }
+    const double squash = random.oneIn(3) ? 0.15 : 1;
+    const std::size_t sides = 3 + random.below(std::size_t{30});
+    Points ring;
+    for (std::size_t k = 0; k < sides; ++k) {
+      const double turn =
+                       2 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(sides),
+                   r = 0.45 + 0.05 * random.unit();
+      ring.push_back({0.5 + r * std::cos(turn), 0.5 + squash * r * std::sin(turn)});
+    }
+    Diagram diagram;
+    std::vector<SiteId> ids(n);
+    ASSERT_EQ(diagram.insertMany(flat(circles), ids), Error::kNone);
+    std::vector<double> coordinates;
+    for (const Point p : ring) coordinates.insert(coordinates.end(), {p.x, p.y});
+    const std::uint32_t starts[] = {0, static_cast<std::uint32_t>(sides)};
+    Region region;
+    ASSERT_EQ(region.assign(coordinates, starts), Error::kNone);
+    const auto roomAt = [&](Point p) {
+      double room = std::numeric_limits<double>::infinity();
+      for (std::size_t k = 0; k < sides; ++k) {
+        const Point a = ring[k], way = ring[(k + 1) % sides] - a;
+        const double t = std::clamp(dot(p - a, way) / dot(way, way), 0.0, 1.0);
+        room = std::min(room, length(p - (a + t * way)));
+      }
+      for (const Circle& c : circles) room = std::min(room, distanceTo(c, p.x, p.y));
+      return room;
+    };
+    const Voronoi view(diagram, region);
+    const VertexArrays found = emptyCirclesIn(view, 5, true);
+    ASSERT_FALSE(found.sites.empty());
+    for (std::size_t k = 0; k < found.sites.size(); ++k) {
+      const double r = found.clearance[k];
+      EXPECT_NEAR(r, roomAt({found.coordinates[2 * k], found.coordinates[2 * k + 1]}),
+                  3e-4 * std::abs(r) + 1e-12);
+      EXPECT_LE(r, found.clearance[k > 0 ? k - 1 : 0]);
+    }
+    for (int k = 0; k < 300; ++k) {
+      const Point p{random.unit(), random.unit()};
+      if (region.contains(p.x, p.y)) {
+        EXPECT_GE(found.clearance[0], kEnough * roomAt(p) - 1e-12);
+      }
+    }
+    std::vector<double> cells;
+    EXPECT_EQ(view.cellCirclesBetween(0, static_cast<SiteId>(n), 1, cells), Error::kNone);
+  }
+}
+
 TEST(EmptyCircles, OfNoSitesACoveredWindowAndAReach) {
   EXPECT_TRUE(emptyCirclesIn(Scene({}).view(true), 3, true).sites.empty());
   const Scene covered({{50, 30, 99}});
