@@ -139,7 +139,7 @@ class Graph {
   ///          |____\\_|              |/_____|         faceOf(twin): before (j, i, l), then (k, l,
   ///          j) k       i              k       i
   ///
-  /// Four times is none, the same half-edges and faces included. REQUIRES: the corners k and l
+  /// Four flips restore the graph, half-edges and faces included. REQUIRES: the corners k and l
   /// beyond h are not one vertex. Needs no room.
   void flip(HalfedgeId h);
 

@@ -21,7 +21,7 @@ struct BorderChord {
     const double along = dot(p - a, way), square = dot(way, way);
     return along >= square ? b : along > 0 ? a + (along / square) * way : a;
   }
-  /// Becomes its part in a box about the origin; false if there is none.
+  /// Keeps the part that is in a box about the origin; false if nothing of it is.
   [[nodiscard]] bool clip(Point half);
 };
 

@@ -292,8 +292,8 @@ void WidestPlace::boundByStrips(const Box& box, Mean& mean) {
     low = std::max(low, std::min(from, to));
     high = std::min(high, std::max(from, to));
   }
-  // A line across all of them passes them in the order of the strips. There is none where one cuts
-  // off a corner of the box, and the next one another corner.
+  // A line that crosses all of them meets them in the order of the strips. Without such a line, as
+  // where two pieces cut off two corners of the box, the pieces bound no strips.
   if (!(low < high)) return;
   for (Meeting& one : meeting_) {
     const Point way = one.part.b - one.part.a;
