@@ -22,7 +22,7 @@ target_link_options(apollonius_wasm PRIVATE
   --no-entry                           # a library: no `main`
   # Puts the stack back after a call that ended in its middle: wasm/package/core/native/module.ts.
   "SHELL:-sEXPORTED_FUNCTIONS=_emscripten_stack_get_current,__emscripten_stack_restore,\
-_registerShapes,_registerSphere"
+_expectRoom,_registerCore,_registerShapes,_registerSphere"
   "SHELL:--js-library ${bindings}/embind_parts.js"
   # Names as in the object files, for tools/toolchain/split_wasm.mjs, which drops them.
   --profiling-funcs $<$<NOT:$<CONFIG:Debug>>:-Wl,--no-demangle>

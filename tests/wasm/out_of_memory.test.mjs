@@ -15,6 +15,10 @@ test("every call is tried", () => {
   expect(Object.keys(found.results).sort()).toEqual(calls.map(([name]) => name).sort());
 });
 
+test.each(["shapes", "sphere"])("the part %s begins when there is room for it", (part) => {
+  expect(found.parts[part]).toBe("out-of-memory");
+});
+
 test.each(calls.map(([name]) => name))("%s in a full heap", (name) => {
   const { isLarge, code, isSame } = found.results[name];
   expect(code).toBe(isLarge ? "out-of-memory" : "none");

@@ -19,6 +19,7 @@
 using apollonius::Error;
 using apollonius::SiteId;
 using apollonius::Source;
+using apollonius::Top;
 using emscripten::val;
 
 // `AnyDiagram` is a Diagram or a SphericalDiagram.
@@ -174,7 +175,8 @@ void addTo(AnyDiagram&, AnyBuilder& builder, const NumbersIn& sites) {
 }
 
 template <class AnyBuilder, class AnyDiagram>
-void readInto(AnyDiagram&, AnyBuilder& builder, const NumbersIn& bytes, Source source) {
+void readInto(AnyDiagram&, AnyBuilder& builder, const NumbersIn& bytes, bool isTrusted) {
+  const Source source = isTrusted ? Source::kTrusted : Source::kAnyone;
   check(builder.read(vectorOf<std::uint8_t>(bytes), source));
 }
 
@@ -202,19 +204,38 @@ Found validate(const AnyDiagram& diagram) {
           violation.where, violation.level};
 }
 
-/// The calls that both kinds of diagrams have; `Walk` is the class of their nearestFirst().
-template <class AnyDiagram, class Walk, class AnyBuilder>
-emscripten::class_<AnyDiagram> registerDiagram(const char* name, const char* nameOfWalk,
-                                               const char* nameOfBuilder) {
+/// Is the topmost circle the last one inserted, or the smallest?
+template <class AnyDiagram>
+std::int32_t pick(const AnyDiagram& diagram, double x, double y, double maxDistance, bool isLast) {
+  SiteId id = apollonius::kNoSite;
+  check(diagram.pick(x, y, maxDistance, isLast ? Top::kLast : Top::kSmallest, id));
+  return asSigned(id);
+}
+
+/// What both kinds of diagrams need for their first insertion and query.
+template <class AnyDiagram>
+emscripten::class_<AnyDiagram> registerDiagram(const char* name) {
+  return emscripten::class_<AnyDiagram>(name)
+      .function("insert", returning<&AnyDiagram::insert>())
+      .function("size", &AnyDiagram::size)
+      .function("find", &find<AnyDiagram>)
+      .function("findWithin", &findWithin<AnyDiagram>)
+      .function("nearest", &nearest<AnyDiagram>)
+      .function("pick", &pick<AnyDiagram>);
+}
+
+/// The other calls that both kinds of diagrams have; `Walk` is the class of their nearestFirst().
+template <class Walk, class AnyBuilder, class AnyDiagram>
+void registerOthers(const emscripten::class_<AnyDiagram>& diagram, const char* nameOfWalk,
+                    const char* nameOfBuilder) {
   using namespace emscripten;
   const return_value_policy::take_ownership moved;  // not copied
   class_<Walk>(nameOfWalk)
       .function("next", returning<&Walk::next>())
       .function("distance", &Walk::distance);
   class_<AnyBuilder>(nameOfBuilder).function("progress", &AnyBuilder::progress);
-  return class_<AnyDiagram>(name)
+  diagram
       // Sites
-      .function("insert", returning<&AnyDiagram::insert>())
       .function("remove", returning<&AnyDiagram::remove>())
       .function("removeMany", &removeMany<AnyDiagram>)
       .function("update", &update<AnyDiagram>)
@@ -224,7 +245,6 @@ emscripten::class_<AnyDiagram> registerDiagram(const char* name, const char* nam
       .function("addTo", &addTo<AnyBuilder, AnyDiagram>)
       .function("readInto", &readInto<AnyBuilder, AnyDiagram>)
       .function("advance", &advance<AnyBuilder, AnyDiagram>)
-      .function("size", &AnyDiagram::size)
       .function("visibleSize", &AnyDiagram::visibleSize)
       .function("has", &AnyDiagram::has)
       .function("idLimit", &AnyDiagram::idLimit)
@@ -234,14 +254,10 @@ emscripten::class_<AnyDiagram> registerDiagram(const char* name, const char* nam
       .function("isHidden", returning<&AnyDiagram::isHidden>())
       .function("coverOf", returning<&AnyDiagram::coverOf>())
       // Queries
-      .function("find", &find<AnyDiagram>)
-      .function("findWithin", &findWithin<AnyDiagram>)
-      .function("nearest", &nearest<AnyDiagram>)
       .function("farthest", &farthest<AnyDiagram>)
       .function("findMany", &findMany<AnyDiagram>)
       .function("kNearest", &kNearest<AnyDiagram>)
       .function("kNearestMany", &kNearestMany<AnyDiagram>)
-      .function("pick", returning<&AnyDiagram::pick>())
       .function("nearestFirst", &nearestFirst<Walk, AnyDiagram>, allow_raw_pointers(), moved)
       .function("neighbors", returning<&AnyDiagram::neighbors>())
       .function("vertices", returning<&AnyDiagram::vertices>(), moved)

@@ -1,12 +1,14 @@
-// The part `core` for Embind, which registers it when the module starts and writes the
-// declarations that the TypeScript compiles against, build/wasm/apollonius.d.mts. The parts
-// `shapes` and `sphere` (shapes.cpp, sphere.cpp) are registered at their first use.
+// The part `core` for Embind, which writes the declarations that the TypeScript compiles against,
+// build/wasm/apollonius.d.mts. When the module starts, it registers what a first insertion and
+// query need, the rest when one of its calls is first made (docs/DECISIONS.md, "Start-up"). The
+// parts `shapes` and `sphere` (shapes.cpp, sphere.cpp) are registered at their first use.
 //
 // A call that fails throws the number of its Error, which wasm/package/core/native/module.ts turns
 // into an exception of the package. Arrays are copied, in both directions: a view of the memory
 // becomes invalid when the memory grows.
 #include <cstdlib>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "adapters.h"
@@ -21,7 +23,6 @@ using apollonius::Builder;
 using apollonius::Circle;
 using apollonius::Diagram;
 using apollonius::NearestFirst;
-using apollonius::Top;
 
 /// What the C++ runtime calls where an exception leaves what must not throw; nothing of ours does.
 /// Its own version prints a message, for which the module would have all of printf.
@@ -39,6 +40,9 @@ void insertMany(Diagram& diagram, const NumbersIn& xyr, const NumbersOut& ids) {
   check(diagram.insertMany(vectorOf<double>(xyr), inserted));
   ids.call<void>("set", viewOf(inserted));
 }
+
+/// Holds nothing: a class's calls are registered through it, also later.
+std::optional<emscripten::class_<Diagram>> diagramClass;
 
 }  // namespace
 
@@ -66,8 +70,26 @@ EMSCRIPTEN_BINDINGS(core) {
       .value("kNoConvergence", Error::kNoConvergence)
       .value("kBusy", Error::kBusy)
       .value("kBroken", Error::kBroken);
-  enum_<Source>("Source").value("anyone", Source::kAnyone).value("trusted", Source::kTrusted);
-  enum_<Top>("Top").value("smallest", Top::kSmallest).value("last", Top::kLast);
+  value_object<Nearest>("Nearest").field("id", &Nearest::id).field("distance", &Nearest::distance);
+
+  diagramClass = registerDiagram<Diagram>("Diagram")
+                     .constructor(&create, allow_raw_pointers())
+                     .function("insertMany", &insertMany);
+
+  if (areTypesWritten()) {
+    registerCore();
+    registerShapes();
+    registerSphere();
+  }
+}
+
+void expectRoom() {
+  constexpr std::size_t kRoom = 1 << 12;  // bytes; of a part's 130 contexts each takes 24 at most
+  allocating([] { ::operator delete(::operator new(kRoom)); });
+}
+
+void registerCore() {
+  using namespace emscripten;
 
   value_object<Circle>("Circle")
       .field("x", &Circle::x)
@@ -77,7 +99,6 @@ EMSCRIPTEN_BINDINGS(core) {
       .field("ids", &apollonius::NearbyLists::ids)
       .field("starts", &apollonius::NearbyLists::starts)
       .field("distances", &apollonius::NearbyLists::distances);
-  value_object<Nearest>("Nearest").field("id", &Nearest::id).field("distance", &Nearest::distance);
   value_object<Found>("Found")
       .field("what", &Found::what)
       .field("where", &Found::where)
@@ -119,15 +140,8 @@ EMSCRIPTEN_BINDINGS(core) {
       .field("ties", &apollonius::PredicateCounts::ties);
   function("predicateCounts", &apollonius::predicateCounts);
 
-  registerDiagram<Diagram, NearestFirst, Builder>("Diagram", "NearestFirst", "Builder")
-      .constructor(&create, allow_raw_pointers())
-      .function("insertMany", &insertMany)
-      .function("search", returning<&Diagram::search>())
+  diagramClass->function("search", returning<&Diagram::search>())
       .function("hull", returning<&Diagram::hull>())
       .function("levels", returning<&Diagram::levels>());
-
-  if (areTypesWritten()) {
-    registerShapes();
-    registerSphere();
-  }
+  registerOthers<NearestFirst, Builder>(*diagramClass, "NearestFirst", "Builder");
 }

@@ -3,7 +3,13 @@
 // does not load it.
 #pragma once
 
-/// Registers the calls of a part with Embind. JavaScript calls each once, when the part is there.
+/// Throws kOutOfMemory unless there is room for all that Embind keeps of a part. JavaScript asks
+/// before it has a part registered, which cannot be done again.
+extern "C" void expectRoom();
+
+/// Registers the calls of a part with Embind; of `core`, those that are not there from the start.
+/// JavaScript calls each once, when the part is there, `core` first.
+extern "C" void registerCore();
 extern "C" void registerShapes();
 extern "C" void registerSphere();
 

@@ -93,9 +93,10 @@ void registerSphere() {
   value_object<SphericalPoint>("SphericalPoint")
       .field("lon", &SphericalPoint::lon)
       .field("lat", &SphericalPoint::lat);
-  registerDiagram<SphericalDiagram, SphericalNearestFirst, SphericalBuilder>(
-      "SphericalDiagram", "SphericalNearestFirst", "SphericalBuilder")
-      .constructor(&createSpherical, allow_raw_pointers())
+  const auto diagram = registerDiagram<SphericalDiagram>("SphericalDiagram");
+  registerOthers<SphericalNearestFirst, SphericalBuilder>(diagram, "SphericalNearestFirst",
+                                                          "SphericalBuilder");
+  diagram.constructor(&createSpherical, allow_raw_pointers())
       .function("radius", &SphericalDiagram::radius)
       .function("insertMany", &insertIntoSphere)
       .function("narrowest", returning<&SphericalDiagram::narrowest>(), moved)

@@ -3,6 +3,7 @@
 // it replaces WebAssembly.Memory.prototype.grow.
 import { Diagram } from "../../../build/packed/consumer.mjs";
 import { levels, validate } from "../../../build/packed/diagnostics.mjs";
+import { SphericalDiagram } from "../../../build/packed/sphere.mjs";
 import { calls } from "./calls.mjs";
 
 // One site with very many neighbours: then even a call about a single site needs much memory.
@@ -156,7 +157,15 @@ async function attempt(call) {
   return { code, isSame: state() === before };
 }
 
+/** The first call of each part: once in a full heap, and again when there is room. */
+const firstCalls = { shapes: () => view.contains(hub, 0, 0), sphere: () => new SphericalDiagram() };
+const parts = {};
+for (const [part, call] of Object.entries(firstCalls)) {
+  const { code } = await attempt(call);
+  call();
+  parts[part] = code;
+}
 const results = {};
 for (const [name, call] of Object.entries({ ...large, ...small }))
   results[name] = { isLarge: name in large, ...(await attempt(call)) };
-console.log(JSON.stringify({ results, afterClear: diagram.size }));
+console.log(JSON.stringify({ parts, results, afterClear: diagram.size }));

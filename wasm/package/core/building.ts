@@ -5,7 +5,7 @@ import type { Reader } from "./accessors.js";
 import { checkedBytes, described } from "./arguments.js";
 import type { DynamicDiagram } from "./dynamic_diagram.js";
 import { innerOf } from "./inner.js";
-import { type Builder, type NativeDiagram, runningModule } from "./native/module.js";
+import type { Builder, NativeDiagram } from "./native/module.js";
 import type { AsyncOptions } from "./types.js";
 
 const kSlice = 8; // milliseconds
@@ -111,8 +111,7 @@ export function restoreOrDispose(
 }
 
 function give(native: NativeDiagram, builder: Builder, bytes: unknown, isTrusted: boolean): void {
-  const source = runningModule().Source[isTrusted ? "trusted" : "anyone"];
-  native.readInto(builder, checkedBytes("bytes", bytes), source);
+  native.readInto(builder, checkedBytes("bytes", bytes), isTrusted);
 }
 
 /** The inside of a diagram, and a builder for this many items; the sphere has the same calls. */

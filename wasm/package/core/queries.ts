@@ -20,7 +20,6 @@ import {
   type Walk,
 } from "./filters.js";
 import type { Inner } from "./inner.js";
-import { runningModule } from "./native/module.js";
 import { atPoint, checkTypes, ofItems } from "./space.js";
 import type {
   FilterOptions,
@@ -271,7 +270,7 @@ export function pick(inner: Inner, x: number, y: number, options: PickOptions | 
   const picking = checkedPickOptions(options);
   const [limit, top, filter] = picking;
   if (filter !== undefined) return pickThrough(inner, x, y, picking, filter)?.id ?? -1;
-  return atPoint(inner, x, y, (native) => native.pick(x, y, limit, runningModule().Top[top]));
+  return atPoint(inner, x, y, (native) => native.pick(x, y, limit, top === "last"));
 }
 
 export function pickMany(
@@ -307,10 +306,9 @@ function pickThrough(
 function pickAll(inner: Inner, numbers: ArrayLike<number>, [limit, top]: Picking): Int32Array {
   const distances = allocated(() => new Float64Array(numbers.length / 2));
   const ids = findAll(inner, numbers, limit, distances);
-  const onTop = runningModule().Top[top];
   distances.forEach((distance, k) => {
     if (distance <= 0)
-      ids[k] = inner.native.pick(numbers[2 * k]!, numbers[2 * k + 1]!, limit, onTop);
+      ids[k] = inner.native.pick(numbers[2 * k]!, numbers[2 * k + 1]!, limit, top === "last");
   });
   return ids;
 }

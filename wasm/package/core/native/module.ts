@@ -74,8 +74,6 @@ interface NativeModule {
   create(): NativeDiagram;
   createSpherical(radius: number): NativeSphericalDiagram;
   predicateCounts(): PredicateCounts;
-  readonly Source: MainModule["Source"];
-  readonly Top: MainModule["Top"];
 }
 
 let instance: NativeModule | undefined;
@@ -105,51 +103,106 @@ export function shapesOf(native: NativeDiagram): NativeShapes {
 
 function started(compiled: WebAssembly.Module): NativeModule {
   const { exports, startPart } = instantiated(compiled);
-  const { Diagram, Source, Top } = exports;
+  const { Diagram } = exports;
   const guarded = guard(exports, () => {
     try {
       if (instance === module) instance = started(compiled);
     } catch {} // no memory for another: this one goes on
   });
-  const guardMethods = (...classes: Class[]) => {
-    for (const { prototype: methods } of classes)
-      for (const name of [...Object.getOwnPropertyNames(methods), "delete"])
-        if (name !== "constructor")
-          methods[name] = guarded(methods[name] as Method, name === "delete");
+  const guardMethods = ({ prototype: methods }: Class, known: readonly string[] = []) => {
+    for (const name of Object.getOwnPropertyNames(methods))
+      if (name !== "constructor" && !known.includes(name))
+        methods[name] = guarded(methods[name] as Method);
   };
-  guardMethods(Diagram, exports.Builder, exports.NearestFirst);
+  const guardClass = (added: Class) => {
+    guardMethods(added);
+    const { prototype: methods } = added;
+    const { delete: free, isDeleted } = methods; // inherited; each call asks isDeleted()
+    Object.assign(methods, { delete: guarded(free as Method, true), isDeleted });
+  };
 
-  /** What starts a part, the first time it is called; `adopt` guards what that registers. */
-  const beginning = (part: Part, register: () => void, adopt: () => void) => {
+  /** Has Embind register the calls of a part. */
+  const register = (calls: () => void) => {
+    guarded(exports._expectRoom).call(nobody);
+    guarded(calls).call(nobody);
+  };
+  /** What begins with a part the first time it is called, and guards what that has registered. */
+  const beginning = (begin: () => void, adopt: () => void) => {
     let hasBegun = false;
     return () => {
       if (hasBegun) return;
-      startPart(part);
-      register();
+      begin();
       hasBegun = true;
       adopt();
     };
   };
-  const ofCore = new Set(Object.keys(exports));
+
+  // A first insertion and query take few calls; whoever looks for another one has the rest of core
+  // registered. Meanwhile what all handles inherit is found in `unregistered`.
   const methods = Diagram.prototype as Record<PropertyKey, unknown>;
-  methods[kStartShapes] = beginning("shapes", exports._registerShapes, () => {
-    guardMethods(exports.Region, exports.Reach, exports.Fitting);
-    methods.Drawing = exports.Drawing;
-    // The calls; what begins with a capital is a class or an enumeration.
-    for (const name of Object.keys(exports).filter(
-      (key) => !ofCore.has(key) && /^[a-z]/.test(key),
-    )) {
-      const call = exports[name as keyof Exports] as Method;
-      methods[name] = guarded(function (this: Handle, a, b, c, d, e, f, g, h, i, j) {
-        return call(this as never, a, b, c, d, e, f, g, h, i, j);
-      });
-    }
+  const inherited = Object.getPrototypeOf(methods) as object;
+  const unregistered = new Proxy(inherited, {
+    get(_, name, diagram) {
+      startCore();
+      return diagram[name];
+    },
   });
-  const startSphere = beginning("sphere", exports._registerSphere, () =>
-    guardMethods(exports.SphericalDiagram, exports.SphericalBuilder, exports.SphericalNearestFirst),
+  guardClass(Diagram);
+  const first = Object.getOwnPropertyNames(methods);
+  Object.setPrototypeOf(methods, unregistered);
+  const startCore = beginning(
+    () => {
+      expectStack();
+      Object.setPrototypeOf(methods, inherited);
+      try {
+        register(exports._registerCore);
+      } catch (error) {
+        Object.setPrototypeOf(methods, unregistered);
+        throw error;
+      }
+    },
+    () => {
+      guardMethods(Diagram, first);
+      guardClass(exports.Builder);
+      guardClass(exports.NearestFirst);
+    },
   );
 
-  const predicateCounts = guarded(exports.predicateCounts);
+  let ofCore: readonly string[];
+  methods[kStartShapes] = beginning(
+    () => {
+      startCore();
+      ofCore = Object.keys(exports);
+      startPart("shapes");
+      register(exports._registerShapes);
+    },
+    () => {
+      for (const added of [exports.Region, exports.Reach, exports.Fitting]) guardClass(added);
+      methods.Drawing = exports.Drawing;
+      // The calls; what begins with a capital is a class or an enumeration.
+      for (const name of Object.keys(exports).filter(
+        (key) => !ofCore.includes(key) && /^[a-z]/.test(key),
+      )) {
+        const call = exports[name as keyof Exports] as Method;
+        methods[name] = guarded(function (this: Handle, a, b, c, d, e, f, g, h, i, j) {
+          return call(this as never, a, b, c, d, e, f, g, h, i, j);
+        });
+      }
+    },
+  );
+  const startSphere = beginning(
+    () => {
+      startCore();
+      startPart("sphere");
+      register(exports._registerSphere);
+    },
+    () => {
+      guardClass(exports.SphericalDiagram);
+      guardClass(exports.SphericalBuilder);
+      guardClass(exports.SphericalNearestFirst);
+    },
+  );
+
   const create = guarded(() => new Diagram());
   const createSpherical = guarded((radius: number) => new exports.SphericalDiagram(radius));
   const module: NativeModule = {
@@ -158,9 +211,10 @@ function started(compiled: WebAssembly.Module): NativeModule {
       startSphere();
       return createSpherical.call(nobody, radius as never) as NativeSphericalDiagram;
     },
-    predicateCounts: () => predicateCounts.call(nobody) as PredicateCounts,
-    Source,
-    Top,
+    predicateCounts() {
+      startCore();
+      return guarded(exports.predicateCounts).call(nobody) as PredicateCounts;
+    },
   };
   return module;
 }
