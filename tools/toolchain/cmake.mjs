@@ -40,7 +40,7 @@ function buildWasm(emscripten, target, { debug = false, allTests = false } = {})
     CMAKE_TOOLCHAIN_FILE: cmakeToolchainFile(emscripten),
     APOLLONIUS_TESTS: hasGoogleTest && !debug ? "ON" : "OFF",
     ...(process.env.CI && { APOLLONIUS_WERROR: "ON" }),
-    ...(debug && { CMAKE_BUILD_TYPE: "Debug" }),
+    ...(debug ? { CMAKE_BUILD_TYPE: "Debug" } : { APOLLONIUS_BATCH: "ON" }),
     ...(allTests && { APOLLONIUS_ALL_WASM_TESTS: "ON" }),
   };
   const folder = debug ? "debug/wasm" : allTests ? "all-wasm" : "wasm";

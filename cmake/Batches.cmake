@@ -1,0 +1,35 @@
+# Several sources as one, where headers are most of what a file is compiled from: a batch for each
+# folder, and for each list of compile options that some of its files have for themselves. A batch
+# has the path of its folder, by which the wasm module is cut into parts
+# (tools/toolchain/split_wasm.mjs).
+
+# Sets `result` to what is to be compiled instead of `sources`; files in the folder `alone` stay as
+# they are.
+function(apollonius_batches sources alone result)
+  set(files "")
+  set(batches "")  # the text of each is in the variable of its name
+  foreach(source IN LISTS sources)
+    cmake_path(RELATIVE_PATH source BASE_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}"
+      OUTPUT_VARIABLE path)
+    cmake_path(GET path PARENT_PATH folder)
+    if(folder STREQUAL alone)
+      list(APPEND files "${source}")
+      continue()
+    endif()
+    get_source_file_property(options "${source}" COMPILE_OPTIONS)
+    if(NOT options)
+      set(options "")
+    endif()
+    set(batch "${CMAKE_CURRENT_BINARY_DIR}/batches/${folder}/all${options}.cpp")
+    if(NOT batch IN_LIST batches)
+      list(APPEND batches "${batch}")
+      set("${batch}" "")
+      set_source_files_properties("${batch}" PROPERTIES COMPILE_OPTIONS "${options}")
+    endif()
+    string(APPEND "${batch}" "#include \"${source}\"\n")
+  endforeach()
+  foreach(batch IN LISTS batches)
+    file(CONFIGURE OUTPUT "${batch}" CONTENT "${${batch}}" @ONLY)
+  endforeach()
+  set(${result} ${files} ${batches} PARENT_SCOPE)
+endfunction()
