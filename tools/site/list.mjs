@@ -89,4 +89,11 @@ export const kPages = [
     about: "What other libraries do better, and when to take them instead.",
     group: "Reference",
   },
+  {
+    key: "asked",
+    folder: "asked",
+    title: "Asked for",
+    about: "What people ask for in public threads, and the call that answers it.",
+    group: "Reference",
+  },
 ];
