@@ -3,6 +3,13 @@
 // limits how often a slow one takes part.
 import { availableParallelism } from "node:os";
 import { countCities } from "./cities.mjs";
+import {
+  callsOfDiagrams,
+  callsOfTrees,
+  callsOfViews,
+  callsOfWindows,
+  slowCalls,
+} from "./js/growth_calls.mjs";
 
 export const families = [
   "random0",
@@ -30,6 +37,9 @@ export const tableOneFamilies = {
   "0.50": "random50",
 };
 
+/** The label of scenes that are left out of the report. */
+export const kWarmUp = "warm-up";
+
 const modes = {
   quick: {
     rounds: 1,
@@ -41,6 +51,7 @@ const modes = {
     walk: 1e4,
     memory: 1e5,
     churn: 2e4,
+    growth: { n: 500, of: ["random5", "lattice", "collinear", "clustered", "planet"] },
   },
   default: {
     rounds: 3,
@@ -52,6 +63,7 @@ const modes = {
     walk: 1e5,
     memory: 1e6,
     churn: 1e6,
+    growth: { n: 1e3, of: families },
   },
   full: {
     rounds: 5,
@@ -63,6 +75,7 @@ const modes = {
     walk: 1e6,
     memory: 1e6,
     churn: 1e6,
+    growth: { n: 1e3, of: families },
   },
 };
 export const modeNames = Object.keys(modes);
@@ -365,6 +378,46 @@ function snapshots({ rounds, seconds, limit, sizes }) {
     ]);
 }
 
+/**
+ * Every call to which the reference gives a cost, at n and 4 n of all families: those of diagrams
+ * at larger n, slow ones at smaller n. In windows of n points at n and 2 n.
+ */
+function growth({ seconds, growth: { n, of } }) {
+  const scene = (calls, family, size, more) => ({
+    part: "growth",
+    family,
+    n: size,
+    rounds: 1,
+    steps: calls.map(({ name }) => ({ op: name, who: ["growth"], seconds: seconds / 6 })),
+    ...more,
+  });
+  const grown = (calls, family, size) => {
+    const least = family === "cities" ? Math.min(size, Math.floor(countCities() / 4)) : size;
+    return [least, 4 * least].map((some) => scene(calls, family, some));
+  };
+  const bySize = [
+    [callsOfDiagrams, 10 * n],
+    [callsOfViews, n],
+    [slowCalls, n / 2],
+  ];
+  // Minutes, and all memory for circles in the globe's cells, where sites are that far apart.
+  const isTooSlow = (calls, family) =>
+    calls === slowCalls && ["outlier", "towns", "scales"].includes(family);
+  return [
+    // The engine compiles what will be hot.
+    ...bySize.map(([calls, size]) => scene(calls, "random5", size / 2, { label: kWarmUp })),
+    ...of.flatMap((family) =>
+      bySize.flatMap(([calls, size]) =>
+        isTooSlow(calls, family) ? [] : grown(calls, family, size),
+      ),
+    ),
+    ...grown(callsOfTrees, "tree", n / 4),
+    ...["disc", "ring", "star", "jagged", "rim"].flatMap((shape) =>
+      [2 * n, 4 * n].map((points) => scene(callsOfWindows, shape, points)),
+    ),
+  ];
+}
+
 /** What a call costs that does nothing else, and the heap. */
 function border({ rounds, seconds, memory, churn }) {
   return [
@@ -409,11 +462,15 @@ export const parts = {
   treemap,
   snapshots,
   border,
+  growth,
 };
+
+/** Takes as long as all others together, and is not among them. */
+const kOnlyAsked = ["growth"];
 
 /** The scenes of a mode, of all parts or of one. */
 export function scenesOf(mode, only) {
   return Object.entries(parts)
-    .filter(([name]) => !only || only === name)
+    .filter(([name]) => (only ? only === name : !kOnlyAsked.includes(name)))
     .flatMap(([, part]) => part(modes[mode]));
 }

@@ -14,6 +14,7 @@ import {
   Sum,
 } from "./sampling.mjs";
 import { sphereOperations } from "./sphere.mjs";
+import { growthOperations } from "./growth.mjs";
 import { startFinders } from "./threads.mjs";
 import { kHeight, kWidth, treemapOperations } from "./treemaps.mjs";
 import { windowOperations } from "./windows.mjs";
@@ -29,7 +30,7 @@ WebAssembly.Instance = class extends WebAssembly.Instance {
 const heapBytes = () => memory.buffer.byteLength;
 
 const entry = (name) => import(pathToFileURL(path.join(process.env.BENCH_PACKAGE, name)).href);
-const { Diagram } = await entry("consumer.mjs");
+const { Diagram, enclose } = await entry("consumer.mjs");
 const { SphericalDiagram } = await entry("sphere.mjs");
 const { treemap } = await entry("treemap.mjs");
 const treemapOf = (sites) => treemap().shape([0, 0, kWidth, kHeight]).sites(sites);
@@ -323,6 +324,7 @@ export const operations = {
   callHas: (request) => calls(request, (diagram, k) => diagram.has(k)),
   memory: memoryOfBuild,
   ...windowOperations(Diagram),
+  ...growthOperations({ Diagram, SphericalDiagram, enclose, treemap: treemapOf("stay") }),
   ...treemapOperations(
     { treemapMove: treemapOf("move"), treemapStay: treemapOf("stay") },
     (leaf) => leaf.area,

@@ -12,7 +12,7 @@ export const kHeight = 600;
 const flareFile = new URL("../../web/data/flare.json", import.meta.url);
 
 /** Leaves of lognormal sizes in groups of 5 to 12, and those in groups, up to one. */
-function randomTree(leaves) {
+export function randomTree(leaves) {
   let level = Array.from(sharesOf(leaves, true), (size) => ({ size }));
   let state = 7;
   const random = () => {
