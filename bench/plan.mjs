@@ -284,7 +284,7 @@ function fit({ rounds, seconds, limit, sizes }) {
 
 /**
  * All areas in the outline of the world's land, and in a thousand segments, against bounds; a map
- * of values among a thousand stations.
+ * of values among a thousand stations; labels of all cells, and one in a star of many points.
  */
 function windows({ rounds, seconds, sizes }) {
   const most = Math.max(...sizes);
@@ -303,6 +303,8 @@ function windows({ rounds, seconds, sizes }) {
     scene("random5", hundred, ...land),
     scene("random5", Math.min(1e6, most), ...segments),
     scene("random0", Math.min(1e3, most), "interpolate"),
+    scene("random5", 2e3, "toGeoJSON", "cellCircles"),
+    scene("star", 5e3, "starLabel"),
   ];
 }
 
@@ -347,6 +349,7 @@ function treemap({ rounds, seconds, limit, sizes }) {
       steps: [
         { op: "treemapMove", who: ["wasm", "d3-voronoi-treemap"], ...common },
         { op: "treemapStay", who: ["wasm"], ...common },
+        { op: "treemapLabels", who: ["wasm"], ...common },
       ],
     }));
 }

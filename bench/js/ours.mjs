@@ -16,7 +16,7 @@ import {
 import { sphereOperations } from "./sphere.mjs";
 import { growthOperations } from "./growth.mjs";
 import { startFinders } from "./threads.mjs";
-import { kHeight, kWidth, treemapOperations } from "./treemaps.mjs";
+import { kHeight, kWidth, labelsOfTreemap, treemapOperations } from "./treemaps.mjs";
 import { windowOperations } from "./windows.mjs";
 
 // The package does not show its heap, so the instance's memory is caught when it is made.
@@ -329,6 +329,7 @@ export const operations = {
     { treemapMove: treemapOf("move"), treemapStay: treemapOf("stay") },
     (leaf) => leaf.area,
   ),
+  treemapLabels: labelsOfTreemap(treemapOf("move")),
   ...sphereOperations({
     make: (lonLatR) => new SphericalDiagram(lonLatR),
     end: (diagram) => diagram.dispose(),

@@ -62,3 +62,16 @@ export function treemapOperations(layouts, areaOf) {
   };
   return Object.fromEntries(Object.entries(layouts).map(([name, layout]) => [name, timed(layout)]));
 }
+
+/** Labels of all leaves of a new layout: a leaf remembers its own. */
+export function labelsOfTreemap(layout) {
+  return (request) => {
+    const data = dataOf(request.set);
+    let leaves = [];
+    const prepare = () => {
+      leaves = layout(hierarchy(data).sum(({ size = 0 }) => size)).leaves();
+    };
+    const label = () => leaves.forEach((leaf) => leaf.label());
+    return sampled(request, hierarchy(data).leaves().length, label, prepare);
+  };
+}
