@@ -403,7 +403,7 @@ function growth({ seconds, growth: { n, of } }) {
     [callsOfViews, n],
     [slowCalls, n / 2],
   ];
-  // Minutes, and all memory for circles in the globe's cells, where sites are that far apart.
+  // Minutes, where distances differ by that much.
   const isTooSlow = (calls, family) =>
     calls === slowCalls && ["outlier", "towns", "scales"].includes(family);
   return [
