@@ -182,15 +182,15 @@ const diagramCalls = {
     linearithmic,
     ({ diagram, all, steps }) => diagram.updateMany(all, steps),
     {
-      // All by a thousandth of their distance, back and forth.
+      // All by a thousandth of their distance, and back.
       before: (surface) => {
-        const { moved, sites, n, box } = surface;
-        moved.isAside = !moved.isAside;
-        const step = moved.isAside ? (box[2] - box[0]) / Math.sqrt(n) / 3000 : 0;
-        surface.steps = sites.map((value, k) =>
+        const { sites, n, box } = surface;
+        const step = (box[2] - box[0]) / Math.sqrt(n) / 3000;
+        surface.steps ??= sites.map((value, k) =>
           k % 3 === 0 ? value + step * ((k % 7) - 3) : value,
         );
       },
+      after: ({ diagram, all, sites }) => diagram.updateMany(all, sites),
     },
   ],
   find: [location, atPlaces(({ diagram }, x, y) => diagram.find(x, y))],
