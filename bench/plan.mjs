@@ -3,6 +3,13 @@
 // limits how often a slow one takes part.
 import { availableParallelism } from "node:os";
 import { countCities } from "./cities.mjs";
+import {
+  callsOfDiagrams,
+  callsOfTrees,
+  callsOfViews,
+  callsOfWindows,
+  slowCalls,
+} from "./js/growth_calls.mjs";
 
 export const families = [
   "random0",
@@ -30,6 +37,9 @@ export const tableOneFamilies = {
   "0.50": "random50",
 };
 
+/** The label of scenes that are left out of the report. */
+export const kWarmUp = "warm-up";
+
 const modes = {
   quick: {
     rounds: 1,
@@ -41,6 +51,7 @@ const modes = {
     walk: 1e4,
     memory: 1e5,
     churn: 2e4,
+    growth: { n: 500, of: ["random5", "lattice", "collinear", "clustered", "planet"] },
   },
   default: {
     rounds: 3,
@@ -52,6 +63,7 @@ const modes = {
     walk: 1e5,
     memory: 1e6,
     churn: 1e6,
+    growth: { n: 1e3, of: families },
   },
   full: {
     rounds: 5,
@@ -63,6 +75,7 @@ const modes = {
     walk: 1e6,
     memory: 1e6,
     churn: 1e6,
+    growth: { n: 1e3, of: families },
   },
 };
 export const modeNames = Object.keys(modes);
@@ -271,7 +284,7 @@ function fit({ rounds, seconds, limit, sizes }) {
 
 /**
  * All areas in the outline of the world's land, and in a thousand segments, against bounds; a map
- * of values among a thousand stations.
+ * of values among a thousand stations; labels of all cells, and one in a star of many points.
  */
 function windows({ rounds, seconds, sizes }) {
   const most = Math.max(...sizes);
@@ -290,6 +303,8 @@ function windows({ rounds, seconds, sizes }) {
     scene("random5", hundred, ...land),
     scene("random5", Math.min(1e6, most), ...segments),
     scene("random0", Math.min(1e3, most), "interpolate"),
+    scene("random5", 2e3, "toGeoJSON", "cellCircles"),
+    scene("star", 5e3, "starLabel"),
   ];
 }
 
@@ -334,6 +349,7 @@ function treemap({ rounds, seconds, limit, sizes }) {
       steps: [
         { op: "treemapMove", who: ["wasm", "d3-voronoi-treemap"], ...common },
         { op: "treemapStay", who: ["wasm"], ...common },
+        { op: "treemapLabels", who: ["wasm"], ...common },
       ],
     }));
 }
@@ -363,6 +379,46 @@ function snapshots({ rounds, seconds, limit, sizes }) {
         steps: [{ op: "findManyOnThreads", who: ["wasm"], count, seconds }],
       })),
     ]);
+}
+
+/**
+ * Every call to which the reference gives a cost, at n and 4 n of all families: those of diagrams
+ * at larger n, slow ones at smaller n. In windows of n points at n and 2 n.
+ */
+function growth({ seconds, growth: { n, of } }) {
+  const scene = (calls, family, size, more) => ({
+    part: "growth",
+    family,
+    n: size,
+    rounds: 1,
+    steps: calls.map(({ name }) => ({ op: name, who: ["growth"], seconds: seconds / 6 })),
+    ...more,
+  });
+  const grown = (calls, family, size) => {
+    const least = family === "cities" ? Math.min(size, Math.floor(countCities() / 4)) : size;
+    return [least, 4 * least].map((some) => scene(calls, family, some));
+  };
+  const bySize = [
+    [callsOfDiagrams, 10 * n],
+    [callsOfViews, n],
+    [slowCalls, n / 2],
+  ];
+  // Minutes, where distances differ by that much.
+  const isTooSlow = (calls, family) =>
+    calls === slowCalls && ["outlier", "towns", "scales"].includes(family);
+  return [
+    // The engine compiles what will be hot.
+    ...bySize.map(([calls, size]) => scene(calls, "random5", size / 2, { label: kWarmUp })),
+    ...of.flatMap((family) =>
+      bySize.flatMap(([calls, size]) =>
+        isTooSlow(calls, family) ? [] : grown(calls, family, size),
+      ),
+    ),
+    ...grown(callsOfTrees, "tree", n / 4),
+    ...["disc", "ring", "star", "jagged", "rim"].flatMap((shape) =>
+      [2 * n, 4 * n].map((points) => scene(callsOfWindows, shape, points)),
+    ),
+  ];
 }
 
 /** What a call costs that does nothing else, and the heap. */
@@ -409,11 +465,15 @@ export const parts = {
   treemap,
   snapshots,
   border,
+  growth,
 };
+
+/** Takes as long as all others together, and is not among them. */
+const kOnlyAsked = ["growth"];
 
 /** The scenes of a mode, of all parts or of one. */
 export function scenesOf(mode, only) {
   return Object.entries(parts)
-    .filter(([name]) => !only || only === name)
+    .filter(([name]) => (only ? only === name : !kOnlyAsked.includes(name)))
     .flatMap(([, part]) => part(modes[mode]));
 }

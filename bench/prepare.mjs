@@ -30,7 +30,8 @@ async function buildNative() {
   if (!hasCgal) say("CGAL is left out: install libcgal-dev to compare with it");
 }
 
-const kTrees = ["flare", "tree"];
+/** Trees and windows, which js/treemaps.mjs and js/growth.mjs make. */
+const kWithoutFile = ["flare", "tree", "disc", "ring", "star", "jagged", "rim"];
 
 /** Builds everything. */
 export async function buildContenders() {
@@ -45,7 +46,7 @@ export async function buildContenders() {
  */
 export function ensureSet(family, n) {
   const stem = path.join(sets, `${family}-${n}`);
-  if (kTrees.includes(family)) return stem; // js/treemaps.mjs makes them
+  if (kWithoutFile.includes(family)) return stem;
   const maker = path.join(native, "bench_sites");
   const isFresh =
     existsSync(`${stem}.near`) && statSync(`${stem}.near`).mtimeMs > statSync(maker).mtimeMs;

@@ -1,5 +1,7 @@
 // The whole report: one Markdown text, which is also what the run prints.
 import { fitTable } from "./fit_table.mjs";
+import { growthTables } from "./growth_table.mjs";
+import { kWarmUp } from "./plan.mjs";
 import { stagesTable, timesTable, visibleTable } from "./tables.mjs";
 import { tableOne } from "./table_one.mjs";
 import { targetsTable } from "./targets.mjs";
@@ -40,7 +42,7 @@ function memoryLines(records) {
 }
 
 export function report({ machine, mode, records, disagreements, seconds }) {
-  const of = (part) => records.filter((record) => record.part === part);
+  const of = (part) => records.filter((record) => record.part === part && record.label !== kWarmUp);
   const sections = Object.entries(titles)
     .filter(([part]) => of(part).length > 0)
     .map(([part, title]) => {
@@ -61,6 +63,8 @@ export function report({ machine, mode, records, disagreements, seconds }) {
   const fits = of("fit").length > 0 ? [`## Prescribed areas\n\n${fitTable(of("fit"))}`] : [];
   const treemaps =
     of("treemap").length > 0 ? [`## Treemaps\n\n${treemapTable(of("treemap"))}`] : [];
+  const growth =
+    of("growth").length > 0 ? [`## Growth of calls\n\n${growthTables(of("growth"))}`] : [];
   const goals = targetsTable(records);
   const parts = [
     "# Benchmark results",
@@ -77,6 +81,7 @@ export function report({ machine, mode, records, disagreements, seconds }) {
     ...sections,
     ...fits,
     ...treemaps,
+    ...growth,
     ...table,
   ];
   return `${parts.join("\n\n")}\n`;

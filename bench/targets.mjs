@@ -163,6 +163,21 @@ function goals(records, member) {
       most(3),
     ],
     [
+      "cellCircles / toGeoJSON, 2000",
+      us("windows random5 2000 cellCircles wasm") / us("windows random5 2000 toGeoJSON wasm"),
+      most(5),
+    ],
+    [
+      "label in a star of 5000 points, ms",
+      us("windows star 5000 starLabel wasm") / 1e3,
+      information,
+    ],
+    [
+      "labels of a treemap / its layout, 3000",
+      us("treemap tree 3000 treemapLabels wasm") / us("treemap tree 3000 treemapMove wasm"),
+      most(0.3),
+    ],
+    [
       "interpolate, 500 x 500 points among 1000 sites, s",
       us("windows random0 1000 interpolate wasm") / 4,
       most(1),

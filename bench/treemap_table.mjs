@@ -4,6 +4,7 @@ import { short, table, thousands } from "./tables.mjs";
 const kNames = {
   "wasm treemapMove": "`treemap`, sites move",
   "wasm treemapStay": "`treemap`, sites stay",
+  "wasm treemapLabels": "labels of all leaves, after that",
 };
 const kTrees = { flare: "Flare's classes", tree: "lognormal, groups of 5 to 12" };
 

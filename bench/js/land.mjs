@@ -64,3 +64,26 @@ export function holedRings(box) {
 
 /** One ring of a thousand segments across a box. */
 export const thousandSegments = (box) => [wavyRing(middleOf(box), halfOf(box), 1000, 250, 0.6)];
+
+/** A smooth star of that many points in a box: five arms with small waves. */
+export function starRing(box, points) {
+  const [x, y] = middleOf(box);
+  const [rx, ry] = halfOf(box);
+  return Array.from({ length: points }, (_, k) => {
+    const angle = (2 * Math.PI * k) / points;
+    const r = (1 + 0.3 * Math.sin(5 * angle) + 0.1 * Math.sin(41 * angle)) / 1.4;
+    return [x + rx * r * Math.cos(angle), y + ry * r * Math.sin(angle)];
+  });
+}
+
+/** Windows of that many points in a box, by name. */
+export const sizedRings = {
+  disc: (box, points) => [wavyRing(middleOf(box), halfOf(box), points, 0, 0)],
+  ring: (box, points) => {
+    const half = halfOf(box);
+    const inner = half.map((r) => 0.9 * r);
+    return [half, inner].map((radii) => wavyRing(middleOf(box), radii, points / 2, 0, 0));
+  },
+  star: (box, points) => [starRing(box, points)],
+  jagged: (box, points) => [wavyRing(middleOf(box), halfOf(box), points, points / 4, 0.6)],
+};

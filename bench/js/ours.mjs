@@ -14,8 +14,9 @@ import {
   Sum,
 } from "./sampling.mjs";
 import { sphereOperations } from "./sphere.mjs";
+import { growthOperations } from "./growth.mjs";
 import { startFinders } from "./threads.mjs";
-import { kHeight, kWidth, treemapOperations } from "./treemaps.mjs";
+import { kHeight, kWidth, labelsOfTreemap, treemapOperations } from "./treemaps.mjs";
 import { windowOperations } from "./windows.mjs";
 
 // The package does not show its heap, so the instance's memory is caught when it is made.
@@ -29,7 +30,7 @@ WebAssembly.Instance = class extends WebAssembly.Instance {
 const heapBytes = () => memory.buffer.byteLength;
 
 const entry = (name) => import(pathToFileURL(path.join(process.env.BENCH_PACKAGE, name)).href);
-const { Diagram } = await entry("consumer.mjs");
+const { Diagram, enclose } = await entry("consumer.mjs");
 const { SphericalDiagram } = await entry("sphere.mjs");
 const { treemap } = await entry("treemap.mjs");
 const treemapOf = (sites) => treemap().shape([0, 0, kWidth, kHeight]).sites(sites);
@@ -323,10 +324,12 @@ export const operations = {
   callHas: (request) => calls(request, (diagram, k) => diagram.has(k)),
   memory: memoryOfBuild,
   ...windowOperations(Diagram),
+  ...growthOperations({ Diagram, SphericalDiagram, enclose, treemap: treemapOf("stay") }),
   ...treemapOperations(
     { treemapMove: treemapOf("move"), treemapStay: treemapOf("stay") },
     (leaf) => leaf.area,
   ),
+  treemapLabels: labelsOfTreemap(treemapOf("move")),
   ...sphereOperations({
     make: (lonLatR) => new SphericalDiagram(lonLatR),
     end: (diagram) => diagram.dispose(),

@@ -5,7 +5,7 @@ import { boxOf, forEachUntil, readDoubles, readQueries, sampled } from "./sampli
 const kDegrees = 180 / Math.PI;
 
 /** Places in a box as longitudes and latitudes, in the numbers of each `perItem`. */
-function toSphere(numbers, perItem, [xmin, ymin, xmax, ymax]) {
+export function toSphere(numbers, perItem, [xmin, ymin, xmax, ymax]) {
   return numbers.map((value, k) => {
     const axis = k % perItem;
     if (axis === 0) return (360 * (value - xmin)) / (xmax - xmin) - 180;

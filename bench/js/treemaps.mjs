@@ -12,7 +12,7 @@ export const kHeight = 600;
 const flareFile = new URL("../../web/data/flare.json", import.meta.url);
 
 /** Leaves of lognormal sizes in groups of 5 to 12, and those in groups, up to one. */
-function randomTree(leaves) {
+export function randomTree(leaves) {
   let level = Array.from(sharesOf(leaves, true), (size) => ({ size }));
   let state = 7;
   const random = () => {
@@ -61,4 +61,17 @@ export function treemapOperations(layouts, areaOf) {
     return { ...answer, deviation };
   };
   return Object.fromEntries(Object.entries(layouts).map(([name, layout]) => [name, timed(layout)]));
+}
+
+/** Labels of all leaves of a new layout: a leaf remembers its own. */
+export function labelsOfTreemap(layout) {
+  return (request) => {
+    const data = dataOf(request.set);
+    let leaves = [];
+    const prepare = () => {
+      leaves = layout(hierarchy(data).sum(({ size = 0 }) => size)).leaves();
+    };
+    const label = () => leaves.forEach((leaf) => leaf.label());
+    return sampled(request, hierarchy(data).leaves().length, label, prepare);
+  };
 }

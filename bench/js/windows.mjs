@@ -1,6 +1,7 @@
 // The package's operations in windows: all areas in rings against the same in bounds, areas that
-// are prescribed, and values that are interpolated.
-import { holedRings, landRings, landRingsIn, thousandSegments } from "./land.mjs";
+// are prescribed, values that are interpolated, and room for labels.
+import path from "node:path";
+import { holedRings, landRings, landRingsIn, starRing, thousandSegments } from "./land.mjs";
 import { boxOf, readDoubles, sampled } from "./sampling.mjs";
 import { deviationOf, sharesOf } from "./shares.mjs";
 
@@ -91,6 +92,25 @@ export function windowOperations(Diagram) {
     return { ...answer, sum: found.reduce((a, b) => a + b, 0) };
   }
 
+  /** Of all cells, in bounds. */
+  function ofCells(call) {
+    return (request) => {
+      const { diagram, sites, box } = load(request);
+      const view = diagram.voronoi(box);
+      return sampled(request, sites.length / 3, () => void call(view));
+    };
+  }
+
+  /** The largest circle in a window of many points, which is one cell. */
+  function starLabel({ set, seconds }) {
+    const points = +path.basename(set).split("-")[1];
+    const diagram = new Diagram([0, 0, 0]);
+    const view = diagram.voronoi([starRing([-10, -10, 10, 10], points)]);
+    const answer = sampled({ seconds }, 1, () => void view.cellCircle(0));
+    diagram.dispose();
+    return answer;
+  }
+
   const box = (_, given) => given;
   const holes = (_, given) => holedRings(given);
   const segments = (_, given) => thousandSegments(given);
@@ -100,6 +120,9 @@ export function windowOperations(Diagram) {
     fitInHoles: fitted(holes, false),
     fitTailedInHoles: fitted(holes, true),
     interpolate: interpolated,
+    cellCircles: ofCells((view) => view.cellCircles()),
+    toGeoJSON: ofCells((view) => view.toGeoJSON()),
+    starLabel,
     boxAreas: areasIn(box, false),
     landAreas: areasIn(landFor, false),
     landAreasAnew: areasIn(landFor, true),

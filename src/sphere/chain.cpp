@@ -27,11 +27,12 @@ bool isLessThanQuarter(const Direction& up, const Direction& a, const Direction&
 double fromAxis(const Direction& p) { return p.x * p.x + p.y * p.y; }
 bool isAtPole(const Direction& p) { return p.x == 0 && p.y == 0; }
 
-/// From a point to the great circle through two others.
+/// From a point to the great circle through two others. Differences tell more of points that are
+/// close to each other: with `b` and `point` themselves, rounding would grow as pieces are halved.
 double toGreatCircle(const Direction& a, const Direction& point, const Direction& b) {
-  const Direction normal = cross(a, b);
+  const Direction normal = cross(a, b - a);
   const double length = lengthOf(normal);
-  return length == 0 ? lengthOf(point - a) : std::abs(dot(normal, point)) / length;
+  return length == 0 ? lengthOf(point - a) : std::abs(dot(normal, point - a)) / length;
 }
 
 /// Ends of a segment of the plane of longitude and latitude, in degrees, which is unrolled about a

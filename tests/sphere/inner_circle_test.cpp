@@ -125,5 +125,26 @@ TEST(SphericalInnerCircle, OfSmallCellsIsAsGood) {
   }
 }
 
+// Within a hundred metres on the Earth, and sites with weights, so that edges are curved: pieces of
+// their polygons were halved until memory ended, as rounding grew while they became shorter.
+TEST(SphericalInnerCircle, OfSmallCellsWithCurvedEdgesEnds) {
+  const SphericalSites sites{
+      {-33.95795845967763, 23.97055409477173, 7.365845704749868e-8},
+      {-33.95799474143675, 23.970544645704777, 4.403120570115409e-8},
+      {-33.9579706458745, 23.97051267535667, 1.977240820060478e-8},
+      {-33.95792578359274, 23.97052056354775, 6.9055470478014436e-9},
+      {-33.95792316179546, 23.970535115540244, 2.2511980629987114e-8},
+      {-33.95794632250389, 23.97056232972904, 7.072192030422748e-8},
+      {-33.958007154750874, 23.970557439605575, 5.616817172203719e-8},
+  };
+  const SphericalDiagram diagram = diagramOf(sites);
+  SphericalCircle circle{};
+  ASSERT_EQ(diagram.cellCircle(0, kEverywhere, circle), Error::kNone);
+  double area = 0;
+  ASSERT_EQ(diagram.cellArea(0, kEverywhere, area), Error::kNone);
+  EXPECT_NEAR(circle.r, 2.4218e-7, 5e-10);
+  EXPECT_LE(kPi * circle.r * circle.r, area);
+}
+
 }  // namespace
 }  // namespace apollonius::test

@@ -74,8 +74,9 @@ export interface Diagram extends Core {
   renderSites(context?: PathContext | null, options?: DrawOptions): string | void;
 
   /**
-   * Draws the convex hull of the circles, arcs and tangents, as one closed figure. O(length).
-   * Throws "not-finite", "out-of-range", "bad-option" as `render`.
+   * Draws the convex hull of the circles, arcs and tangents, as one closed figure. O(length), and
+   * a look at all circles, whose box the default tolerance is a share of. Throws "not-finite",
+   * "out-of-range", "bad-option" as `render`.
    */
   renderHull(context: PathContext, options?: DrawOptions): void;
   renderHull(context?: null, options?: DrawOptions): string;
