@@ -74,16 +74,16 @@ async function contenders() {
 
   const isWhole = mode !== "quick" && !only && without.length === 0;
   const folder = isWhole ? results : drafts;
-  mkdirSync(folder, { recursive: true });
+  for (const one of [folder, drafts]) mkdirSync(one, { recursive: true });
   const { cpu, cores, node, commit, date } = facts;
-  writeFileSync(path.join(folder, "latest.json"), `${JSON.stringify(result, null, 1)}\n`);
+  writeFileSync(path.join(drafts, "latest.json"), `${JSON.stringify(result, null, 1)}\n`);
   writeFileSync(path.join(folder, "latest.md"), text);
   writeFileSync(
     path.join(folder, "latest.svg"),
     picture(records, `${cpu}, ${cores} cores; Node ${node}; commit ${commit}; ${date}`),
   );
   if (isWhole) recordFigures("bench", figuresOf(result)); // what the documents quote
-  console.log(`Written to ${path.relative(process.cwd(), folder)}/latest.{json,md,svg}`);
+  console.log(`Written to ${path.relative(process.cwd(), folder)}/latest.{md,svg}`);
 }
 
 const [part, ...rest] = process.argv.slice(2);

@@ -1,13 +1,13 @@
 // Fuzzing: builds the targets with clang's libFuzzer, AddressSanitizer and
 // UndefinedBehaviorSanitizer, and runs them in turn, a slice of time each, from the corpus in
-// tests/fuzz/corpus and what earlier runs have added to it.
+// tests/fuzz/corpus.tar.gz and what earlier runs have added to it.
 //
 //   npm run fuzz -- --minutes 60                     all targets, for an hour in all
 //   npm run fuzz -- --minutes 5 --target geometry    those whose name has that in it (several: with
 //                                                    commas)
 //   npm run fuzz -- --minutes 60 --jobs 2            two at a time, if need be of one target
-//   npm run fuzz -- --merge                          no run: makes tests/fuzz/corpus of all that
-//                                                    was found, minimised
+//   npm run fuzz -- --merge                          no run: makes tests/fuzz/corpus.tar.gz of all
+//                                                    that was found, minimised
 //
 // It can be stopped at any time; the table is printed then, too. A finding is an input that ends a
 // target; it is kept in build/fuzz/findings with the target's output, and the run ends with 1. What
@@ -33,13 +33,14 @@ import { buildWithCmake } from "../../tools/toolchain/cmake.mjs";
 import { root } from "../../tools/toolchain/folders.mjs";
 import { withBuildLock } from "../../tools/toolchain/lock.mjs";
 import { ensureNativeTools } from "../../tools/toolchain/native.mjs";
-import { SetUpError } from "../../tools/toolchain/process.mjs";
+import { capture, SetUpError } from "../../tools/toolchain/process.mjs";
 import { main } from "../../tools/toolchain/setup.mjs";
 import { addToFigures, printTable } from "./totals.mjs";
 
 const home = path.join(root, "build", "fuzz");
 const findings = path.join(home, "findings");
-const seeds = path.join(root, "tests", "fuzz", "corpus");
+const archive = path.join(root, "tests", "fuzz", "corpus.tar.gz");
+const seeds = path.join(home, "program", "corpus"); // where CMake unpacks it
 const sliceSeconds = 600; // each begins with reading what is there, which is not counted
 const mostOfCorpus = 100;
 
@@ -182,8 +183,7 @@ async function fuzz(folder, targets, minutes, jobs) {
 }
 
 /**
- * tests/fuzz/corpus/<target> becomes the fewest inputs that reach as much as all do; of many, the
- * shortest.
+ * A target's seeds become the fewest inputs that reach as much as all do; of many, the shortest.
  */
 async function merge(folder, target) {
   const kept = path.join(home, "merged", target);
@@ -220,6 +220,18 @@ async function merge(folder, target) {
   );
 }
 
+/** Writes the seeds of all targets, the same bytes for the same seeds. */
+function pack() {
+  const files = readdirSync(seeds, { recursive: true, withFileTypes: true })
+    .filter((entry) => entry.isFile())
+    .map((entry) => path.relative(seeds, path.join(entry.parentPath ?? entry.path, entry.name)))
+    .sort();
+  const list = path.join(home, "seeds.txt");
+  writeFileSync(list, files.join("\n"));
+  const made = ["-E", "tar", "czf", archive, "--format=gnutar", "--mtime=2000-01-01 00:00:00 UTC"];
+  capture("cmake", [...made, `--files-from=${list}`], { cwd: seeds });
+}
+
 if (import.meta.url === pathToFileURL(process.argv[1]).href) {
   await main(async () => {
     const { values } = parseArgs({
@@ -253,6 +265,7 @@ if (import.meta.url === pathToFileURL(process.argv[1]).href) {
     try {
       if (values.merge) {
         for (const target of targets) await merge(copy, target);
+        pack();
         return;
       }
       const done = await fuzz(copy, targets, minutes, jobs);
