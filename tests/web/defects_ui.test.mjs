@@ -34,7 +34,7 @@ describeInBrowser("keys", (open) => {
     await page.evaluate((id) => app.selection.set([id]), id);
     await settled(page);
     const circles = await circlesOf(page);
-    for (const focus of ["#overlay", "#tool-fit", "#open-sets", "[name=weight]:checked"]) {
+    for (const focus of ["#overlay", "#tool-fit", "#open-sets", "#open-code-2"]) {
       await page.focus(focus);
       const before = await scale();
       await page.keyboard.press("+");

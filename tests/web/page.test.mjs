@@ -89,36 +89,6 @@ describeInBrowser("the page", (open) => {
       expect(phone.errors).toEqual([]);
       await closePage(phone);
     });
-
-    test("Circles and Centres: the same circles, plain cells; and back", async () => {
-      const circles = await circlesOf(page);
-      await page.check("[name=weight][value='0']", { force: true });
-      await page.waitForFunction(() => app.sites.weight === 0);
-      expect(await stateOf(page)).toMatchObject({ size: 35, hidden: 0, broken: null });
-      const radii = await page.evaluate(() =>
-        Array.from(app.diagram.ids(), (id) => app.diagram.site(id).r),
-      );
-      expect(new Set(radii)).toEqual(new Set([0]));
-      await page.check("[name=weight][value='1']", { force: true });
-      await page.waitForFunction(() => app.sites.weight === 1);
-      expect(await circlesOf(page)).toEqual(circles);
-    });
-
-    test("the morph passes through all between", async () => {
-      const moving = await open({ reducedMotion: "no-preference" });
-      await moving.evaluate(() => {
-        window.seen = [];
-        app.model.addEventListener("change", () => window.seen.push(app.sites.weight));
-      });
-      await moving.check("[name=weight][value='0']", { force: true });
-      await moving.waitForFunction(() => app.sites.weight === 0);
-      const seen = await moving.evaluate(() => window.seen);
-      expect(seen).toEqual([...seen].sort((a, b) => b - a));
-      // How many depends on how fast the machine draws.
-      expect(seen.filter((weight) => weight > 0 && weight < 1)).not.toEqual([]);
-      expect(await moving.evaluate(() => app.parts.validate(app.diagram))).toBeNull();
-      await closePage(moving);
-    });
   });
 
   describe("pointer", () => {

@@ -214,17 +214,8 @@ export class App {
   at(x: number, y: number, reach: number): number[] {
     const { view, painter } = this;
     const [wx, wy] = [view.toWorldX(x), view.toWorldY(y)];
-    const found = this.#within(wx, wy, reach / view.scale);
+    const found = Array.from(this.diagram.within(wx, wy, reach / view.scale));
     return painter.layers.hidden ? found : found.filter((id) => !this.sites.isHidden(id));
-  }
-
-  /** The circles that come this near, in the order of the distances that count. */
-  #within(x: number, y: number, reach: number) {
-    const { sites } = this;
-    if (!sites.truth) return Array.from(this.diagram.within(x, y, reach));
-    const distance = (id: number) =>
-      Math.hypot(x - sites.xyr[3 * id], y - sites.xyr[3 * id + 1]) - sites.radius(id);
-    return sites.truth.within(x, y, reach).sort((a, b) => distance(a) - distance(b));
   }
 
   /** Highlights the site nearest to a pixel; null: the pointer has left. */
@@ -250,24 +241,12 @@ export class App {
       x,
       y,
       id,
-      right: this.#rightOf(id, wx, wy),
       distance,
       neighbors: questions.neighbors ? neighborsOf(this.sites, id) : kNothing,
       nearest: questions.nearest > 0 ? diagram.kNearest(wx, wy, questions.nearest) : kNothing,
       under: questions.under ? diagram.within(wx, wy, 0) : kNothing,
       empty: questions.empty ? this.#emptyNear(id, wx, wy) : null,
     };
-  }
-
-  /** The nearest circle, where another one's centre is nearer; else the one that is picked. */
-  #rightOf(picked: number, x: number, y: number) {
-    const { sites } = this;
-    const right = sites.truth?.find(x, y) ?? picked;
-    const distance = (id: number) => {
-      const site = sites.site(id);
-      return Math.hypot(x - site.x, y - site.y) - site.r;
-    };
-    return distance(right) < distance(picked) ? right : picked;
   }
 
   /** The empty circle about the corner of this cell that is nearest to a point. */

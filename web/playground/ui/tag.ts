@@ -23,7 +23,6 @@ export function makeTag(app: App) {
     const said = hover ? textOf(app, hover) : null;
     if (hover && said) {
       write(tag, said);
-      tag.classList.toggle("wrong", hover.right !== hover.id);
       place(tag, hover, app.view);
     }
     write(answer, selectedText(app) ?? said ?? ["", promptOf(app)]);
@@ -54,11 +53,7 @@ function selectedText({ selection, sites, diagram }: App): [string, string] | nu
 function textOf(app: App, hover: Hover): [string, string] {
   const { sites, questions } = app;
   const { name } = sites.label(hover.id);
-  const said = [sites.info.globe ? onGlobe(app, hover, sites.info.globe) : onPlane(app, hover)];
-  if (hover.right !== hover.id) {
-    said.push(`wrong: ${sites.label(hover.right).name} is nearer`);
-    return [name, said.join(" · ")];
-  }
+  const said = [sites.info.globe ? onGlobe(app, hover, sites.info.globe) : away(hover.distance)];
   if (questions.neighbors) {
     const count = hover.neighbors.length;
     const inDual = app.diagram.neighbors(hover.id).length;
@@ -73,18 +68,14 @@ function textOf(app: App, hover: Hover): [string, string] {
   return [name, said.join(" · ")];
 }
 
-function onPlane({ sites, diagram }: App, hover: Hover) {
-  const text = away(hover.distance);
-  return sites.weight === 0 && diagram.size > 0 ? text.replace("away", "to its centre") : text;
-}
-
 /** In kilometres on the Earth, where another one than on the map can be the nearest. */
 function onGlobe({ sites, view }: App, { id, x, y }: Hover, globe: Globe) {
   const place = placeOn(view.toWorldX(x), view.toWorldY(y));
   const distance = place && globe.distance(sites, id, place);
   if (!place || distance === null) return "nearest on the map, off the globe";
   const nearest = globe.nearest(sites, place);
-  if (!nearest || nearest.id === id) return awayOnGlobe(sites, distance);
+  if (!nearest || nearest.id === id)
+    return `${kilometres(Math.abs(distance))} ${distance < 0 ? "inside" : "away"}`;
   // Short: the tag has one line. Both are distances on the globe.
   const other = `${sites.label(nearest.id).name} ${kilometres(nearest.distance)}`;
   return `${kilometres(distance)}; nearer on Earth: ${other}`;
@@ -92,12 +83,6 @@ function onGlobe({ sites, view }: App, { id, x, y }: Hover, globe: Globe) {
 
 /** "−12 km" is inside. */
 const kilometres = (distance: number) => `${short(distance)} km`;
-
-function awayOnGlobe(sites: Sites, distance: number) {
-  const text = kilometres(Math.abs(distance));
-  if (sites.weight === 0) return `${text} to its centre`;
-  return `${text} ${distance < 0 ? "inside" : "away"}`;
-}
 
 function namesOf(sites: Sites, ids: ArrayLike<number>) {
   if (ids.length === 0) return "no circle";
