@@ -112,7 +112,7 @@ describeInBrowser("data", (open) => {
     ]);
     await page.evaluate(() => app.painter.flush());
     await page.mouse.move(500, 400);
-    const { id } = await page.evaluate(() => app.hover);
+    const { id } = await page.evaluate(() => app.pointer.hover);
     expect(await page.evaluate((id) => app.diagram.isHidden(id), id)).toBe(false);
     await page.click("#tool-undo"); // it is exact, but checking it takes long
   });
@@ -223,9 +223,9 @@ describeInBrowser("data", (open) => {
       await page.evaluate(() => {
         app.model.update([5], Float64Array.of(1, 2, 333.25));
         app.model.remove([7, 8]);
-        app.insertCircle({ x: 12.5, y: -1000, r: 100 });
+        app.edits.insertCircle({ x: 12.5, y: -1000, r: 100 });
         app.setLayer("dual", true);
-        app.zoom(3, 500, 300);
+        app.camera.zoom(3, 500, 300);
       });
       const [other, hash] = await again();
       expect(hash.length).toBeLessThan(200);

@@ -115,7 +115,7 @@ describeInBrowser("files", (open) => {
       page.evaluate(async () => {
         const id = app.sites.ids.find((id) => app.sites.label(id).name === "Istanbul");
         const { x, y } = app.sites.site(id);
-        app.hoverAt({ x: app.view.toScreenX(x), y: app.view.toScreenY(y) });
+        app.pointer.moveTo({ x: app.view.toScreenX(x), y: app.view.toScreenY(y) });
         await app.whenShown();
         const canvas = app.painter.canvas("map");
         const { data } = canvas
@@ -158,7 +158,7 @@ describeInBrowser("files", (open) => {
         ["names", false], // they have none
       ]);
       await show(page, "cities");
-      await page.evaluate(() => app.zoom(8, 640, 200));
+      await page.evaluate(() => app.camera.zoom(8, 640, 200));
       await settled(page);
       const ofCities = new Map(await layersOf());
       expect([ofCities.get("map"), ofCities.get("names")]).toEqual([true, true]);
@@ -310,7 +310,7 @@ describeInBrowser("files", (open) => {
             const onMap = app.diagram.find(x, y);
             const { id, distance } = globe.nearest(app.sites, [lon, lat]);
             if (id === onMap) continue;
-            app.hoverAt({ x: app.view.toScreenX(x), y: app.view.toScreenY(y) });
+            app.pointer.moveTo({ x: app.view.toScreenX(x), y: app.view.toScreenY(y) });
             await app.whenShown();
             const cities = [onMap, id].map((id) => ({
               place: globe.placeOf(app.sites, id),
@@ -329,7 +329,7 @@ describeInBrowser("files", (open) => {
       );
       const nearby = await page.evaluate(() => {
         const { x, y } = app.sites.site(1);
-        app.hoverAt({ x: app.view.toScreenX(x), y: app.view.toScreenY(y) });
+        app.pointer.moveTo({ x: app.view.toScreenX(x), y: app.view.toScreenY(y) });
         return app.whenShown().then(() => document.getElementById("tag").textContent);
       });
       expect(nearby).toMatch(/^Istanbul 2\d\d km inside/);

@@ -38,7 +38,7 @@ describeInBrowser("motion", (open) => {
     expect(await circlesOf(page)).toEqual(after);
     const moved = after.filter((row, k) => row[1] !== before[k][1]).length;
     expect(moved).toBeGreaterThan(150);
-    await page.evaluate(() => app.undo());
+    await page.evaluate(() => app.edits.undo());
     expect(await circlesOf(page)).toEqual(before);
   });
 
@@ -78,7 +78,7 @@ describeInBrowser("motion", (open) => {
   test("any other edit ends the motion", async () => {
     await press("drift");
     await page.waitForFunction(() => app.motion.isRunning);
-    await page.evaluate(() => app.insertCircle({ x: 500, y: 300, r: 5 }));
+    await page.evaluate(() => app.edits.insertCircle({ x: 500, y: 300, r: 5 }));
     await page.waitForFunction(() => document.querySelector("#drift").ariaPressed === "false");
     expect((await stateOf(page)).size).toBe(36);
   });
@@ -280,7 +280,7 @@ describeInBrowser("touch", (open) => {
           from[1] + ((to[1] - from[1]) * k) / steps,
         ]);
       await page.waitForFunction(
-        ([x, y]) => app.pointer && Math.hypot(app.pointer.x - x, app.pointer.y - y) < 1,
+        ([x, y]) => app.pointer.at && Math.hypot(app.pointer.at.x - x, app.pointer.at.y - y) < 1,
         to,
       );
       await frames(page, 10);

@@ -251,7 +251,7 @@ describeInBrowser("the page", (open) => {
       for (let k = 0; k < 30; k++) {
         await page.mouse.move(320 + ((k * 97) % 640), 180 + ((k * 61) % 490));
         const { hover, nearest, neighbors } = await page.evaluate(() => {
-          const { x, y, id, distance } = app.hover;
+          const { x, y, id, distance } = app.pointer.hover;
           const px = app.view.toWorldX(x);
           const py = app.view.toWorldY(y);
           const nearest = { id: -1, distance: Infinity };
@@ -260,7 +260,7 @@ describeInBrowser("the page", (open) => {
             const d = Math.hypot(px - site.x, py - site.y) - site.r;
             if (d < nearest.distance) Object.assign(nearest, { id: other, distance: d });
           }
-          return { hover: { id, distance }, nearest, neighbors: [...app.hover.neighbors] };
+          return { hover: { id, distance }, nearest, neighbors: [...app.pointer.hover.neighbors] };
         });
         expect(hover.id).toBe(nearest.id);
         expect(hover.distance).toBeCloseTo(nearest.distance, 6);
@@ -268,10 +268,10 @@ describeInBrowser("the page", (open) => {
         expect(neighbors).not.toContain(hover.id);
       }
       await settled(page);
-      const label = await page.evaluate(() => app.sites.label(app.hover.id).name);
+      const label = await page.evaluate(() => app.sites.label(app.pointer.hover.id).name);
       expect(await page.textContent("#tag")).toContain(label);
       await page.mouse.move(400, 10); // onto the bar
-      expect(await page.evaluate(() => app.hover)).toBeNull();
+      expect(await page.evaluate(() => app.pointer.hover)).toBeNull();
       await settled(page);
       expect(await page.isVisible("#tag")).toBe(false);
     });
@@ -444,9 +444,9 @@ describeInBrowser("the page", (open) => {
       await page.mouse.move(x, y);
       await settled(page);
       const { under, nearest, empty } = await page.evaluate(() => ({
-        under: [...app.hover.under],
-        nearest: [...app.hover.nearest],
-        empty: app.hover.empty,
+        under: [...app.pointer.hover.under],
+        nearest: [...app.pointer.hover.nearest],
+        empty: app.pointer.hover.empty,
       }));
       expect(under).toEqual([0, 1]);
       expect(nearest).toHaveLength(5);

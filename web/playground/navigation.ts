@@ -43,7 +43,7 @@ export function makeNavigation(app: App) {
     write();
   };
   whenever(() => app.model.edits, writeEdit);
-  whenever(() => [app.looks, app.painter.layers, app.questions], writeLater);
+  whenever(() => [app.camera.looks, app.painter.layers, app.pointer.questions], writeLater);
   app.model.on("change", ({ isSet }) => {
     if (isSet) {
       if (!isComingBack) {
@@ -76,7 +76,7 @@ export function makeNavigation(app: App) {
     for (const [name, isShown] of Object.entries({ ...usual, ...state.shown }))
       if (isLayer(usual, name)) app.setLayer(name, isShown);
     if (state.view) look(state.view);
-    else app.fit();
+    else app.camera.fit();
   }
 
   /** Shows this middle and width, in units. */
@@ -84,7 +84,7 @@ export function makeNavigation(app: App) {
     app.view.scale = app.view.width / width;
     app.view.originX = app.view.width / 2 - x * app.view.scale;
     app.view.originY = app.view.height / 2 + y * app.view.scale;
-    app.viewChanged();
+    app.camera.viewChanged();
   }
 
   return {
@@ -94,7 +94,7 @@ export function makeNavigation(app: App) {
     show(sites: Sites) {
       write();
       app.model.replace(sites);
-      app.fit(undefined, kMargin);
+      app.camera.fit(undefined, kMargin);
     },
     /** Shows another set by its name. */
     async load(key: string, params: Params = {}) {

@@ -85,7 +85,7 @@ export async function start() {
     overlay: element("overlay"),
   };
   const app = new App(canvases);
-  app.insets = insets;
+  app.camera.insets = insets;
   const motion = new Motion(app);
   followWindow(app);
   const gestures = listenToPointer(canvases.overlay, app);

@@ -82,8 +82,8 @@ export async function storm(page, { seed, events }) {
       await sender.inNextFrame(() => wheel(page, deltaY));
     } else if (kind < 0.97)
       await call((key) => app.navigation.load(key), kSets[below(kSets.length)]);
-    else if (kind < 0.98) await call(() => app.clear());
-    else await call(() => app.fit());
+    else if (kind < 0.98) await call(() => app.edits.clear());
+    else await call(() => app.camera.fit());
     // Few circles stay sound trivially, many are slow to check.
     if (k % 500 === 499) await call(() => app.navigation.load("opening"));
   }

@@ -25,10 +25,10 @@ export function roundMoved(app: App, change: OpenChange) {
 }
 
 /** Decimal places that show no difference now, nor when all circles are shown. */
-function digitsOf({ sites, view, insets }: App) {
+function digitsOf({ sites, view, camera }: App) {
   const fitted = view.copy();
   const bounds = sites.bounds();
-  if (bounds) fitted.fit(bounds, insets());
+  if (bounds) fitted.fit(bounds, camera.insets());
   return Math.max(view.digits(kPixels), fitted.digits(kPixels));
 }
 

@@ -27,7 +27,7 @@ export function makeCodeDialog(app: App) {
   );
 }
 
-export function codeOf({ sites, diagram, view, hover }: App) {
+export function codeOf({ sites, diagram, view, pointer: { hover } }: App) {
   const [px, py] = hover ? [hover.x, hover.y] : [view.width / 2, view.height / 2];
   const number = (value: number) => Number(value.toPrecision(5));
   const [x, y] = [number(view.toWorldX(px)), number(view.toWorldY(py))];

@@ -1,9 +1,10 @@
 // The tag at the pointer: which site is nearest, how far it is, and what else was asked. On a phone
 // the sheet says it; of a selected circle the sheet says what the card is about.
 import { make } from "../../shared/dom.js";
-import type { App, Point } from "../app.js";
+import type { App } from "../app.js";
 import { whenever } from "../model/signals.js";
 import type { Sites } from "../model/sites.js";
+import type { Point } from "../pointer.js";
 import type { Hover } from "../picture/overlay_layer.js";
 import type { View } from "../picture/view.js";
 import { type Globe, placeOn } from "../model/globe.js";
@@ -18,7 +19,7 @@ export function makeTag(app: App) {
   const answer = element("answer");
 
   const update = oncePerFrame(() => {
-    const { hover } = app;
+    const { hover } = app.pointer;
     tag.hidden = hover === null;
     const said = hover ? textOf(app, hover) : null;
     if (hover && said) {
@@ -27,7 +28,7 @@ export function makeTag(app: App) {
     }
     write(answer, selectedText(app) ?? said ?? ["", promptOf(app)]);
   });
-  whenever(() => [app.hover, app.selection.ids], update);
+  whenever(() => [app.pointer.hover, app.selection.ids], update);
   app.model.on("change", update);
   update();
 }
@@ -51,7 +52,8 @@ function selectedText({ selection, sites, diagram }: App): [string, string] | nu
 
 /** @returns the nearest site, and the rest */
 function textOf(app: App, hover: Hover): [string, string] {
-  const { sites, questions } = app;
+  const { sites } = app;
+  const { questions } = app.pointer;
   const { name } = sites.label(hover.id);
   const said = [sites.info.globe ? onGlobe(app, hover, sites.info.globe) : away(hover.distance)];
   if (questions.neighbors) {
