@@ -177,14 +177,14 @@ const rules = [
   ...playground({
     model: [/^@preact\/signals-core$/, /^d3-geo$/],
     picture: [/^\.\.\/model\//, /^apollonius-diagram\/diagnostics$/],
-    tools: [/^\.\.\/(app\.js$|(model|picture)\/)/],
+    tools: [/^\.\.\/((app|pointer)\.js$|(model|picture)\/)/],
     sets: [/^\.\.\/(app\.js$|(model|picture)\/)/, /^(d3-dsv|fflate)$/],
     motion: [/^\.\.\/(app\.js$|(model|picture|sets)\/)/],
-    ui: [/^\.\.\/(app\.js$|(model|picture|tools|sets|motion)\/)/],
+    ui: [/^\.\.\/((app|pointer)\.js$|(model|picture|tools|sets|motion)\/)/],
   }),
   {
-    of: /^web\/playground\/app\.ts$/,
-    may: [/^\.\/(model|picture)\//, /^\.\.\/shared\/\w+\.js$/],
+    of: /^web\/playground\/(app|edits|pointer|camera)\.ts$/,
+    may: [/^\.\/(edits|pointer|camera)\.js$/, /^\.\/(model|picture)\//, /^\.\.\/shared\/\w+\.js$/],
   },
   {
     of: /^web\/playground\/\w+\.ts$/,

@@ -10,7 +10,7 @@ import { main } from "./toolchain/setup.mjs";
 const kFile = "docs/images/twins.webp";
 const kMostBytes = 400_000;
 const kScale = 1.5; // pixels a unit
-const kTour = 13.2; // seconds, after which the pointer is where it was
+const kTour = 9.9; // seconds, after which the pointer is where it was
 const kEach = 0.08; // seconds a frame; those that are equal are one
 
 /** The colours of the site on light paper, by the names of their variables. */

@@ -53,7 +53,7 @@ describeInBrowser("defects", (open) => {
       const { x, y } = await whereIs(page, id);
       await page.mouse.move(x, y);
       await page.mouse.down();
-      await page.evaluate(() => app.clear());
+      await page.evaluate(() => app.edits.clear());
       await page.mouse.move(x + 50, y, { steps: 3 });
       await page.mouse.up();
       expect(await stateOf(page)).toMatchObject({ size: 0, selected: [] });
@@ -107,7 +107,7 @@ describeInBrowser("defects", (open) => {
 
   test("everything has a way back: Clear, Delete, sets", async () => {
     const first = await circlesOf(page);
-    await page.evaluate(() => app.clear());
+    await page.evaluate(() => app.edits.clear());
     expect((await stateOf(page)).size).toBe(0);
     await page.keyboard.press("Control+z");
     expect(await circlesOf(page)).toEqual(first);
@@ -178,7 +178,7 @@ describeInBrowser("defects", (open) => {
   ])("Fit at %i x %i: all that there is, beside the bars", async (width, height) => {
     await page.setViewportSize({ width, height });
     await show(page, "cities");
-    await page.evaluate(() => app.insertCircle({ x: 30_000, y: 4000, r: 500 }));
+    await page.evaluate(() => app.edits.insertCircle({ x: 30_000, y: 4000, r: 500 }));
     await page.click("#tool-fit");
     const outside = await page.evaluate(() => {
       const bars = [".bar", "#tools", "#status", "#library"].map((name) =>
@@ -198,7 +198,7 @@ describeInBrowser("defects", (open) => {
 
   test("Fit after Clear shows no world, but room to draw", async () => {
     await show(page, "cities");
-    await page.evaluate(() => app.clear());
+    await page.evaluate(() => app.edits.clear());
     await page.click("#tool-fit");
     expect(await page.evaluate(() => app.view.width / app.view.scale)).toBeLessThan(3000);
   });
@@ -247,8 +247,8 @@ describeInBrowser("defects", (open) => {
       const [x, y] = [60 + ((k * 97) % 1160), 170 + ((k * 61) % 500)];
       await page.mouse.move(x, y);
       const [hovered, isInside] = await page.evaluate(() => [
-        app.hover?.id,
-        app.hover?.distance <= 0,
+        app.pointer.hover?.id,
+        app.pointer.hover?.distance <= 0,
       ]);
       if (!isInside) continue;
       count++;

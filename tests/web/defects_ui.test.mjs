@@ -34,7 +34,7 @@ describeInBrowser("keys", (open) => {
     await page.evaluate((id) => app.selection.set([id]), id);
     await settled(page);
     const circles = await circlesOf(page);
-    for (const focus of ["#overlay", "#tool-fit", "#open-sets", "[name=weight]:checked"]) {
+    for (const focus of ["#overlay", "#tool-fit", "#open-sets", "#open-code-2"]) {
       await page.focus(focus);
       const before = await scale();
       await page.keyboard.press("+");
@@ -57,7 +57,7 @@ describeInBrowser("keys", (open) => {
   test("in text fields keys write, and Ctrl Z is the field's", async () => {
     const [id] = await sitesInReach(page);
     await page.evaluate((id) => app.selection.set([id]), id);
-    await page.evaluate(() => app.grow(1.5));
+    await page.evaluate(() => app.edits.grow(1.5));
     await settled(page);
     const circles = await circlesOf(page);
     const before = await scale();
@@ -114,14 +114,14 @@ describeInBrowser("neighbours", (open) => {
       const inner = app.sites.ids.find((id) => app.diagram.neighbors(id).length === 6);
       app.selection.set([inner]);
       const { x, y } = app.sites.site(inner);
-      app.hoverAt({ x: app.view.toScreenX(x), y: app.view.toScreenY(y) });
+      app.pointer.moveTo({ x: app.view.toScreenX(x), y: app.view.toScreenY(y) });
       return inner;
     });
     expect(id).toBeDefined();
     await settled(page);
     expect(await page.textContent("#card-facts")).toMatch(/neighbours4 \(6 in the dual graph/);
     expect(await page.textContent("#tag")).toContain("4 neighbours");
-    expect(await page.evaluate(() => app.hover.neighbors.length)).toBe(4);
+    expect(await page.evaluate(() => app.pointer.hover.neighbors.length)).toBe(4);
     await closePage(page);
   });
 });
@@ -169,7 +169,7 @@ describeInBrowser("panels", (open) => {
     await page.evaluate(() => {
       const place = [app.view.toWorldX(100), app.view.toWorldY(550)];
       app.selection.set([app.diagram.find(...place)]);
-      app.hoverAt({ x: 300, y: 200 });
+      app.pointer.moveTo({ x: 300, y: 200 });
     });
     await page.tap("#grip");
     await page.waitForFunction((y) => app.view.originY !== y, first[1]);

@@ -115,7 +115,7 @@ describeInBrowser("files", (open) => {
       page.evaluate(async () => {
         const id = app.sites.ids.find((id) => app.sites.label(id).name === "Istanbul");
         const { x, y } = app.sites.site(id);
-        app.hoverAt({ x: app.view.toScreenX(x), y: app.view.toScreenY(y) });
+        app.pointer.moveTo({ x: app.view.toScreenX(x), y: app.view.toScreenY(y) });
         await app.whenShown();
         const canvas = app.painter.canvas("map");
         const { data } = canvas
@@ -158,21 +158,17 @@ describeInBrowser("files", (open) => {
         ["names", false], // they have none
       ]);
       await show(page, "cities");
-      await page.evaluate(() => app.zoom(8, 640, 200));
+      await page.evaluate(() => app.camera.zoom(8, 640, 200));
       await settled(page);
       const ofCities = new Map(await layersOf());
       expect([ofCities.get("map"), ofCities.get("names")]).toEqual([true, true]);
     });
 
-    test.each([
-      ["Circles", 1],
-      ["Centres", 0],
-    ])("SVG looks as the page does: %s", async (_, weight) => {
-      await page.evaluate((weight) => {
+    test("SVG looks as the page does", async () => {
+      await page.evaluate(() => {
         for (const name of ["hull", "vertices", "centres"]) app.setLayer(name, true);
         app.model.insert(Float64Array.of(20, 20, -5)); // a cross
-        app.weights.go(weight, { isAtOnce: true });
-      }, weight);
+      });
       const differing = await page.evaluate(async () => {
         const shown = app.painter.toCanvas();
         const { width, height } = shown;
@@ -314,7 +310,7 @@ describeInBrowser("files", (open) => {
             const onMap = app.diagram.find(x, y);
             const { id, distance } = globe.nearest(app.sites, [lon, lat]);
             if (id === onMap) continue;
-            app.hoverAt({ x: app.view.toScreenX(x), y: app.view.toScreenY(y) });
+            app.pointer.moveTo({ x: app.view.toScreenX(x), y: app.view.toScreenY(y) });
             await app.whenShown();
             const cities = [onMap, id].map((id) => ({
               place: globe.placeOf(app.sites, id),
@@ -333,7 +329,7 @@ describeInBrowser("files", (open) => {
       );
       const nearby = await page.evaluate(() => {
         const { x, y } = app.sites.site(1);
-        app.hoverAt({ x: app.view.toScreenX(x), y: app.view.toScreenY(y) });
+        app.pointer.moveTo({ x: app.view.toScreenX(x), y: app.view.toScreenY(y) });
         return app.whenShown().then(() => document.getElementById("tag").textContent);
       });
       expect(nearby).toMatch(/^Istanbul 2\d\d km inside/);

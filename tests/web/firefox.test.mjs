@@ -130,18 +130,13 @@ describeInFirefox("the page in Firefox", (open) => {
     expect((await stateOf(page)).selected).toHaveLength(1);
   });
 
-  test("numbers can be edited; Circles and Centres", async () => {
+  test("numbers can be edited", async () => {
     const [id] = await sitesInReach(page);
     const { x, y } = await at(id);
     await page.mouse.click(x, y);
     await settled(page);
     await fill("#card-r", "33.5");
     await page.keyboard.press("Enter");
-    expect(await page.evaluate((id) => app.diagram.site(id).r, id)).toBe(33.5);
-    for (const weight of [0, 1]) {
-      await page.click(`label:has([name=weight][value='${weight}'])`);
-      await page.waitForFunction((weight) => app.sites.weight === weight, {}, weight);
-    }
     expect(await page.evaluate((id) => app.diagram.site(id).r, id)).toBe(33.5);
   });
 

@@ -145,7 +145,7 @@ describeInBrowser("looks", (open) => {
       return document.elementFromPoint(px, py).id === "overlay";
     });
     expect(await isUnder(await selected())).toBe(false);
-    expect(await page.evaluate(() => app.hover.id === app.selection.last)).toBe(true);
+    expect(await page.evaluate(() => app.pointer.hover.id === app.selection.last)).toBe(true);
     await closePage(page);
   });
 

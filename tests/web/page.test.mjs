@@ -89,36 +89,6 @@ describeInBrowser("the page", (open) => {
       expect(phone.errors).toEqual([]);
       await closePage(phone);
     });
-
-    test("Circles and Centres: the same circles, plain cells; and back", async () => {
-      const circles = await circlesOf(page);
-      await page.check("[name=weight][value='0']", { force: true });
-      await page.waitForFunction(() => app.sites.weight === 0);
-      expect(await stateOf(page)).toMatchObject({ size: 35, hidden: 0, broken: null });
-      const radii = await page.evaluate(() =>
-        Array.from(app.diagram.ids(), (id) => app.diagram.site(id).r),
-      );
-      expect(new Set(radii)).toEqual(new Set([0]));
-      await page.check("[name=weight][value='1']", { force: true });
-      await page.waitForFunction(() => app.sites.weight === 1);
-      expect(await circlesOf(page)).toEqual(circles);
-    });
-
-    test("the morph passes through all between", async () => {
-      const moving = await open({ reducedMotion: "no-preference" });
-      await moving.evaluate(() => {
-        window.seen = [];
-        app.model.addEventListener("change", () => window.seen.push(app.sites.weight));
-      });
-      await moving.check("[name=weight][value='0']", { force: true });
-      await moving.waitForFunction(() => app.sites.weight === 0);
-      const seen = await moving.evaluate(() => window.seen);
-      expect(seen).toEqual([...seen].sort((a, b) => b - a));
-      // How many depends on how fast the machine draws.
-      expect(seen.filter((weight) => weight > 0 && weight < 1)).not.toEqual([]);
-      expect(await moving.evaluate(() => app.parts.validate(app.diagram))).toBeNull();
-      await closePage(moving);
-    });
   });
 
   describe("pointer", () => {
@@ -281,7 +251,7 @@ describeInBrowser("the page", (open) => {
       for (let k = 0; k < 30; k++) {
         await page.mouse.move(320 + ((k * 97) % 640), 180 + ((k * 61) % 490));
         const { hover, nearest, neighbors } = await page.evaluate(() => {
-          const { x, y, id, distance } = app.hover;
+          const { x, y, id, distance } = app.pointer.hover;
           const px = app.view.toWorldX(x);
           const py = app.view.toWorldY(y);
           const nearest = { id: -1, distance: Infinity };
@@ -290,7 +260,7 @@ describeInBrowser("the page", (open) => {
             const d = Math.hypot(px - site.x, py - site.y) - site.r;
             if (d < nearest.distance) Object.assign(nearest, { id: other, distance: d });
           }
-          return { hover: { id, distance }, nearest, neighbors: [...app.hover.neighbors] };
+          return { hover: { id, distance }, nearest, neighbors: [...app.pointer.hover.neighbors] };
         });
         expect(hover.id).toBe(nearest.id);
         expect(hover.distance).toBeCloseTo(nearest.distance, 6);
@@ -298,10 +268,10 @@ describeInBrowser("the page", (open) => {
         expect(neighbors).not.toContain(hover.id);
       }
       await settled(page);
-      const label = await page.evaluate(() => app.sites.label(app.hover.id).name);
+      const label = await page.evaluate(() => app.sites.label(app.pointer.hover.id).name);
       expect(await page.textContent("#tag")).toContain(label);
       await page.mouse.move(400, 10); // onto the bar
-      expect(await page.evaluate(() => app.hover)).toBeNull();
+      expect(await page.evaluate(() => app.pointer.hover)).toBeNull();
       await settled(page);
       expect(await page.isVisible("#tag")).toBe(false);
     });
@@ -474,9 +444,9 @@ describeInBrowser("the page", (open) => {
       await page.mouse.move(x, y);
       await settled(page);
       const { under, nearest, empty } = await page.evaluate(() => ({
-        under: [...app.hover.under],
-        nearest: [...app.hover.nearest],
-        empty: app.hover.empty,
+        under: [...app.pointer.hover.under],
+        nearest: [...app.pointer.hover.nearest],
+        empty: app.pointer.hover.empty,
       }));
       expect(under).toEqual([0, 1]);
       expect(nearest).toHaveLength(5);

@@ -55,8 +55,8 @@ describeInBrowser("the picture", (open) => {
         return seed / 2147483647;
       };
       for (const zoom of [1, 0.1, 0.001, 5, 40, 1000]) {
-        app.fit();
-        app.zoom(zoom, app.view.width * random(), app.view.height * random());
+        app.camera.fit();
+        app.camera.zoom(zoom, app.view.width * random(), app.view.height * random());
         for (let k = 0; k < 60; k++) {
           const x = app.view.width * random();
           const y = app.view.height * random();
@@ -115,7 +115,7 @@ describeInBrowser("the picture", (open) => {
         if (k % 4 === 0) app.model.update([id], Float64Array.of(x + 30, y - 20, r));
         else if (k % 4 === 1) app.model.update([id], Float64Array.of(x, y, 2.5 * r + 5));
         else if (k % 4 === 2) app.model.remove([id]);
-        else app.insertAt(400 + ((k * 53) % 800), 100 + ((k * 31) % 600), 10);
+        else app.edits.insertAt(400 + ((k * 53) % 800), 100 + ((k * 31) % 600));
         app.painter.flush();
       }
       const after = pixels();

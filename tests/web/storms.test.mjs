@@ -15,8 +15,8 @@ describeInBrowser("storms", (open) => {
     await storm(page, { seed, events: kStorm.events });
     const after = await soundness(page);
     await page.evaluate(() => {
-      while (app.model.history.canUndo) app.undo();
-      while (app.model.history.canRedo) app.redo();
+      while (app.model.history.canUndo) app.edits.undo();
+      while (app.model.history.canRedo) app.edits.redo();
     });
     const again = await soundness(page);
     await closePage(page);

@@ -94,7 +94,7 @@ describeInBrowser("the coast", (open) => {
       await settled(page);
       return painted(page, "overlay");
     };
-    await page.evaluate(() => app.ask({ neighbors: false }));
+    await page.evaluate(() => app.pointer.ask({ neighbors: false }));
     const onLand = await lit();
     const { x, y } = await whereIs(page, id);
     await page.mouse.click(x, y);

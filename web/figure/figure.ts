@@ -83,7 +83,8 @@ export type Figure<State> = {
   /** The call of the package that the picture shows, with its numbers, as a line of a program. */
   code?(state: State): string;
   /**
-   * Moves on by itself; false: nothing will move until something is done.
+   * Moves on by itself; false: nothing will move until something is done. What the reader has not
+   * asked for ends after ten seconds.
    * @param isReduced the reader wants no motion: what moves does so only if it was asked for
    */
   tick?(state: State, seconds: number, isReduced: boolean): boolean;

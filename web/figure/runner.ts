@@ -3,6 +3,7 @@
 import { contextOf } from "../shared/canvas.js";
 import { make } from "../shared/dom.js";
 import { arrowOf, placeIn } from "../shared/input.js";
+import { isDue } from "../shared/pace.js";
 import { readTheme, whenThemeChanges } from "../shared/theme.js";
 import { CanvasPen } from "./canvas_pen.js";
 import { makeControls } from "./controls.js";
@@ -33,7 +34,8 @@ export class FigureRunner<State> {
   #scale = 1;
   #theme = readTheme();
   #frame = 0;
-  #last = 0;
+  #last = 0; // when it was drawn while it moves, else 0
+  #isStale = true; // what is drawn
   #isSeen = true;
   #cursor: [number, number] | null = null;
   #quiet = 0;
@@ -107,7 +109,7 @@ export class FigureRunner<State> {
     sizes.observe(stage);
     const seen = new IntersectionObserver(([entry]) => {
       this.#isSeen = entry.isIntersecting;
-      this.#ask();
+      if (this.#isSeen) this.#request();
     });
     seen.observe(stage);
     whenThemeChanges(() => {
@@ -225,22 +227,41 @@ export class FigureRunner<State> {
   }
 
   #ask() {
+    this.#isStale = true;
+    this.#request();
+  }
+
+  #request() {
     if (this.#frame === 0) this.#frame = requestAnimationFrame((now) => this.#step(now));
   }
 
+  /** A frame: what is stale is drawn at once, what only moves on when it is due and seen. */
   #step(now: number) {
     this.#frame = 0;
-    const seconds = this.#last === 0 ? 0 : Math.min(kLongestStep, (now - this.#last) / 1000);
-    const moves = this.#isSeen && this.figure.tick?.(this.state, seconds, reduced.matches);
-    this.#last = moves ? now : 0;
-    if (moves) {
-      this.#controls.update();
-      this.#ask();
+    if (this.#isSeen) this.#move(now);
+    else this.#last = 0;
+    if (this.#isStale) this.draw();
+  }
+
+  #move(now: number) {
+    const { tick } = this.figure;
+    if (!tick) return;
+    if (!this.#isStale && !isDue(now, this.#last)) {
+      this.#request();
+      return;
     }
-    this.draw();
+    const seconds = this.#last === 0 ? 0 : Math.min(kLongestStep, (now - this.#last) / 1000);
+    const moves = tick(this.state, seconds, reduced.matches);
+    // Its last step has moved it, too.
+    this.#isStale ||= moves || this.#last !== 0;
+    this.#last = moves ? now : 0;
+    if (!moves) return;
+    this.#controls.update();
+    this.#request();
   }
 
   draw() {
+    this.#isStale = false;
     const [width, height] = this.#size;
     const density = this.canvas.width / (width * this.#scale);
     const pen = new CanvasPen(this.#context, width, height, this.#scale, density, this.#theme);

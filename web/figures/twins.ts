@@ -10,14 +10,15 @@ const kGap = 24;
 const kStep = 3; // units between the places that are asked
 const kPause = 2.2; // seconds at each place
 const kTravel = 1.1; // seconds on the way
+const kLeg = kPause + kTravel;
 
 type State = {
   centres: Diagram;
   circles: Diagram;
   right: Point; // where the second picture begins
   share: number; // of places where the pick is wrong
-  tour: Point[]; // where the ghost pointer goes: a wrong pick, a right one, and so on
-  time: number;
+  tour: Point[]; // where the ghost pointer goes, once: wrong picks and a right one
+  time: number; // of the tour
   at: Point;
   isLed: boolean; // by the reader
 };
@@ -75,24 +76,24 @@ export default figure<State>({
     const centres = new Diagram(flat(kBubbles.map(([x, y]) => [x, y, 0])));
     const { share, worst } = compare(centres, circles);
     const right: Point = isNarrow ? [0, kSide + kGap] : [kSide + kGap, 0];
-    const tour: Point[] = [worst, [60, 150], [225, 92], [236, 196]];
+    const tour: Point[] = [worst, [60, 150], [225, 92], worst];
     return { centres, circles, right, share, tour, time: 0, at: worst, isLed: false };
   },
   tick(state, seconds, isReduced) {
     if (isReduced || state.isLed) return false;
-    state.time += seconds;
-    const each = kPause + kTravel;
-    const leg = Math.floor(state.time / each);
-    const t = Math.max(0, (state.time - leg * each - kPause) / kTravel);
+    const end = kLeg * (state.tour.length - 1);
+    state.time = Math.min(state.time + seconds, end);
+    const leg = Math.floor(state.time / kLeg);
+    const t = Math.max(0, (state.time - leg * kLeg - kPause) / kTravel);
     const eased = t * t * (3 - 2 * t);
-    const from = state.tour[leg % state.tour.length];
-    const to = state.tour[(leg + 1) % state.tour.length];
+    const [from, to = from] = state.tour.slice(leg);
     state.at = [from[0] + eased * (to[0] - from[0]), from[1] + eased * (to[1] - from[1])];
-    return true;
+    return state.time < end;
   },
   hover(state, at) {
     state.isLed = at !== null;
     if (!at) return;
+    state.time = 0; // it sets out again when the reader has left
     const [dx, dy] = state.right;
     const isRight = at[0] >= dx && at[1] >= dy;
     const inSide = (value: number) => Math.max(0, Math.min(kSide, value));

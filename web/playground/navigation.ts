@@ -2,7 +2,6 @@
 import type { App } from "./app.js";
 import { whenever } from "./model/signals.js";
 import type { Sites } from "./model/sites.js";
-import type { Weights } from "./motion/weights.js";
 import { isLayer } from "./picture/picture.js";
 import { addressOf, type Kept, keptOf, type Looked, sitesOf, stateOf } from "./sets/address.js";
 import type { Params } from "./sets/presets.js";
@@ -15,7 +14,7 @@ const kMargin = 28; // pixels around a set
 /** Sets lie across a tall window the other way. */
 const shape = (): Record<string, string> => (innerHeight > innerWidth ? { tall: "1" } : {});
 
-export function makeNavigation(app: App, weights: Weights) {
+export function makeNavigation(app: App) {
   const usual = { ...app.painter.layers };
   let writing = 0;
   let written = -kPause;
@@ -26,7 +25,7 @@ export function makeNavigation(app: App, weights: Weights) {
     clearTimeout(writing);
     writing = 0;
     written = performance.now();
-    const address = addressOf(app, { isCentres: weights.target === 0, usual });
+    const address = addressOf(app, usual);
     history.replaceState(keptOf(app.sites, address.isWhole), "", address.hash);
     return address;
   }
@@ -44,7 +43,7 @@ export function makeNavigation(app: App, weights: Weights) {
     write();
   };
   whenever(() => app.model.edits, writeEdit);
-  whenever(() => [app.looks, app.painter.layers, app.questions], writeLater);
+  whenever(() => [app.camera.looks, app.painter.layers, app.pointer.questions], writeLater);
   app.model.on("change", ({ isSet }) => {
     if (isSet) {
       if (!isComingBack) {
@@ -52,7 +51,6 @@ export function makeNavigation(app: App, weights: Weights) {
         write();
       }
       document.title = `${app.sites.info.title} · Apollonius diagram`; // of the entry that is new
-      weights.go(weights.target, { isAtOnce: true });
     }
     if (!app.model.open) writeLater(); // else when it is done
   });
@@ -77,9 +75,8 @@ export function makeNavigation(app: App, weights: Weights) {
     }
     for (const [name, isShown] of Object.entries({ ...usual, ...state.shown }))
       if (isLayer(usual, name)) app.setLayer(name, isShown);
-    weights.go(state.isCentres ? 0 : 1, { isAtOnce: true });
     if (state.view) look(state.view);
-    else app.fit();
+    else app.camera.fit();
   }
 
   /** Shows this middle and width, in units. */
@@ -87,7 +84,7 @@ export function makeNavigation(app: App, weights: Weights) {
     app.view.scale = app.view.width / width;
     app.view.originX = app.view.width / 2 - x * app.view.scale;
     app.view.originY = app.view.height / 2 + y * app.view.scale;
-    app.viewChanged();
+    app.camera.viewChanged();
   }
 
   return {
@@ -97,7 +94,7 @@ export function makeNavigation(app: App, weights: Weights) {
     show(sites: Sites) {
       write();
       app.model.replace(sites);
-      app.fit(undefined, kMargin);
+      app.camera.fit(undefined, kMargin);
     },
     /** Shows another set by its name. */
     async load(key: string, params: Params = {}) {

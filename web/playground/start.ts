@@ -3,10 +3,8 @@ import { whenLoaded } from "../shared/package.js";
 import { whenThemeChanges } from "../shared/theme.js";
 import { App } from "./app.js";
 import { messageOf } from "../shared/errors.js";
-import { effect } from "./model/signals.js";
 import { Motion } from "./motion/motion.js";
 import { letWander } from "./motion/wanderer.js";
-import { Weights } from "./motion/weights.js";
 import { makeNavigation } from "./navigation.js";
 import { parts } from "./parts.js";
 import { showRevivals } from "./revivals.js";
@@ -15,10 +13,10 @@ import { fetchCities } from "./sets/cities.js";
 import { whenShown } from "./shown.js";
 import { listenToPointer } from "./tools/gestures.js";
 import { listenToKeyboard } from "./tools/keyboard.js";
+import { makeAbout } from "./ui/about.js";
 import { makeAnnouncer } from "./ui/announcer.js";
 import { makeCodeDialog } from "./ui/code.js";
 import { element } from "./ui/elements.js";
-import { makeHeadline } from "./ui/headline.js";
 import { makeHelp } from "./ui/help.js";
 import { makeInvitation } from "./ui/invitation.js";
 import { makeInspector } from "./ui/inspector.js";
@@ -76,17 +74,6 @@ function insets() {
   return { left: isBeside ? right : 0, top, right: 0, bottom: innerHeight - bottom };
 }
 
-/** Circles | Centres. */
-function makeSwitch(weights: Weights) {
-  const inputs = document.querySelectorAll<HTMLInputElement>("input[name=weight]");
-  for (const input of inputs) {
-    input.addEventListener("change", () => weights.go(Number(input.value)));
-    effect(() => {
-      input.checked = Number(input.value) === weights.target;
-    });
-  }
-}
-
 /** Makes everything and shows what the address says. */
 export async function start() {
   await whenLoaded(["shapes"]);
@@ -98,13 +85,12 @@ export async function start() {
     overlay: element("overlay"),
   };
   const app = new App(canvases);
-  app.insets = insets;
-  const weights = new Weights(app);
+  app.camera.insets = insets;
   const motion = new Motion(app);
   followWindow(app);
   const gestures = listenToPointer(canvases.overlay, app);
   listenToKeyboard(canvases.overlay, app, gestures);
-  const navigation = makeNavigation(app, weights);
+  const navigation = makeNavigation(app);
   showRevivals(app);
   makeToolbar(app);
   makeHelp();
@@ -117,9 +103,8 @@ export async function start() {
   makeShareMenu(app, navigation.write);
   makeCodeDialog(app);
   makeSheet(app);
-  makeSwitch(weights);
   makeInvitation(app);
-  makeHeadline(app, weights);
+  makeAbout(app);
 
   const isPlain = location.hash === "";
   try {
@@ -133,7 +118,7 @@ export async function start() {
   if (isPlain) letWander(app);
 
   // A handle for tests and the curious; not an interface: it may change at any time.
-  const handle = { navigation, motion, weights, parts, whenShown: () => whenShown(app) };
+  const handle = { navigation, motion, parts, whenShown: () => whenShown(app) };
   Object.assign(window, { app: Object.assign(app, { ...handle, whenFetched: fetchAhead() }) });
 }
 

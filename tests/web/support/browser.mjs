@@ -265,7 +265,7 @@ export const showCircles = (page, xyr) =>
     const { Sites } = app.parts;
     const info = { key: "data", title: "Test" };
     app.model.replace(new Sites(Float64Array.from(xyr), info, { original: new Float64Array(0) }));
-    app.fit();
+    app.camera.fit();
   }, xyr);
 
 /** Pixel position and radius of a site. */
@@ -278,7 +278,7 @@ export const whereIs = (page, id) =>
 /** The pixel between the bars that is farthest from every circle. */
 export const freeSpace = (page) =>
   page.evaluate(() => {
-    const { top, bottom } = app.insets();
+    const { top, bottom } = app.camera.insets();
     let best = { clearance: -Infinity };
     for (let x = 330; x < innerWidth - 330; x += 15) {
       for (let y = top + 30; y < innerHeight - bottom - 30; y += 15) {
@@ -295,7 +295,7 @@ export const freeSpace = (page) =>
 /** Visible sites whose circles are in the open: a click on the centre hits it. */
 export const sitesInReach = (page, count = 1) =>
   page.evaluate((count) => {
-    const { top, bottom } = app.insets();
+    const { top, bottom } = app.camera.insets();
     const found = [];
     for (const id of app.diagram.ids()) {
       const { x, y } = app.diagram.site(id);
@@ -303,7 +303,7 @@ export const sitesInReach = (page, count = 1) =>
       const py = app.view.toScreenY(y);
       const isInside = px > 330 && px < innerWidth - 330 && py > top + 10;
       if (!isInside || py > innerHeight - bottom - 60) continue;
-      if (!app.diagram.isHidden(id) && app.at(px, py, 5)[0] === id) found.push(id);
+      if (!app.diagram.isHidden(id) && app.pointer.circlesAt(px, py, 5)[0] === id) found.push(id);
       if (found.length === count) break;
     }
     return found;

@@ -82,15 +82,13 @@ export async function storm(page, { seed, events }) {
       await sender.inNextFrame(() => wheel(page, deltaY));
     } else if (kind < 0.97)
       await call((key) => app.navigation.load(key), kSets[below(kSets.length)]);
-    else if (kind < 0.98) await call(() => app.clear());
-    else if (kind < 0.99) await call(() => app.fit());
-    else await call((weight) => app.weights.go(weight), below(2));
+    else if (kind < 0.98) await call(() => app.edits.clear());
+    else await call(() => app.camera.fit());
     // Few circles stay sound trivially, many are slow to check.
     if (k % 500 === 499) await call(() => app.navigation.load("opening"));
   }
   await sender.arrived();
   if (isDown) await page.mouse.up();
-  await page.evaluate(() => app.weights.go(1, { isAtOnce: true }));
 }
 
 /** Playwright's takes numbers, Puppeteer's an object. */
@@ -104,7 +102,7 @@ export const soundness = (page) =>
     const mirror = Array.from(app.diagram.ids()).filter((id) => {
       const a = app.diagram.site(id);
       const b = app.sites.site(id);
-      return a.x !== b.x || a.y !== b.y || a.r !== b.r * app.sites.weight;
+      return a.x !== b.x || a.y !== b.y || a.r !== b.r;
     });
     const gone = app.selection.ids.filter((id) => !app.diagram.has(id));
     return { broken, mirror, gone };

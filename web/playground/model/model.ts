@@ -128,12 +128,6 @@ export class Model extends Emitter<ModelEvents> {
     if (wasEdited) this.#edits.value = this.#edits.peek() + 1;
   }
 
-  /** Lets this share of the radii count; no edit. */
-  weigh(weight: number) {
-    this.open?.commit();
-    this.run(null, () => this.sites.weigh(weight));
-  }
-
   undo() {
     return this.#travel("undo");
   }
@@ -172,10 +166,8 @@ export class Model extends Emitter<ModelEvents> {
 
   #travel(direction: "undo" | "redo"): Command | null {
     this.open?.commit();
-    const { weight } = this.sites;
     this.#tell("before", null, false);
     const command = this.history[direction]();
-    if (command && this.sites.weight !== weight) this.sites.weigh(weight);
     this.#tell("change", null, command?.ids === null);
     this.#edits.value = this.#edits.peek() + 1;
     return command;

@@ -3,7 +3,6 @@
 import { Diagram, type Voronoi } from "apollonius-diagram";
 import type { Bounds, Circle } from "./circle.js";
 import type { Globe } from "./globe.js";
-import { Truth } from "./truth.js";
 import type { WorldMap } from "./world_map.js";
 
 export type Label = { name: string; detail?: string };
@@ -23,25 +22,20 @@ export type SetInfo = {
 const kUnknown = 0;
 const kVisible = 1;
 const kHidden = 2;
-const kMostCompared = 100_000; // circles: of more, a second diagram takes too long
 
 export class Sites {
-  /** The diagram, in which radii count by `weight`. */
   diagram: Diagram;
-  /** x, y, r by id, r as given; rows of ids that do not exist are stale. */
+  /** x, y, r by id; rows of ids that do not exist are stale. */
   xyr: Float64Array;
   /** The circles that the set came with, x, y, r by id: what edits are told from. */
   original: Float64Array;
   labels = new Map<number, Label>();
   info: SetInfo;
-  /** The share of the radii that counts: 1 for circles, 0 for their centres. */
-  weight = 1;
   /** Milliseconds that building the diagram took. */
   buildTime: number;
   #ids: Uint32Array | null = null;
-  #flags = new Uint8Array(0); // by id: kUnknown until asked for
+  #flags; // by id: kUnknown until asked for
   #cells: { rings: number[][]; cells: Voronoi } | null = null;
-  #truth: Truth | null = null;
 
   /**
    * @param xyr ids are 0, 1, 2, … in this order
@@ -67,6 +61,7 @@ export class Sites {
     this.buildTime = buildTime ?? performance.now() - start;
     this.original = original;
     this.xyr = xyr.slice();
+    this.#flags = new Uint8Array(xyr.length / 3);
     this.info = info;
     labels.forEach((label, id) => label && this.labels.set(id, label));
   }
@@ -85,9 +80,8 @@ export class Sites {
     return { x: this.xyr[3 * id], y: this.xyr[3 * id + 1], r: this.xyr[3 * id + 2] };
   }
 
-  /** The radius that counts. */
   radius(id: number) {
-    return this.xyr[3 * id + 2] * this.weight;
+    return this.xyr[3 * id + 2];
   }
 
   /** x, y, r of several. */
@@ -96,11 +90,6 @@ export class Sites {
     for (let k = 0; k < ids.length; k++)
       xyr.set(this.xyr.subarray(3 * ids[k], 3 * ids[k] + 3), 3 * k);
     return xyr;
-  }
-
-  /** x, y, r of several, r as it counts. */
-  countingTriples(ids: ArrayLike<number>) {
-    return this.#weighted(this.triples(ids));
   }
 
   label(id: number): Label {
@@ -117,13 +106,6 @@ export class Sites {
   cellsIn(rings: number[][]) {
     if (this.#cells?.rings !== rings) this.#cells = { rings, cells: this.diagram.voronoi(rings) };
     return this.#cells.cells;
-  }
-
-  /** The circles themselves, while not all of their radii counts; null for very many. */
-  get truth() {
-    if (this.weight === 1 || this.size > kMostCompared) return null;
-    this.#truth ??= new Truth(this.ids, this.triples(this.ids));
-    return this.#truth;
   }
 
   /** Those of all circles, or null. */
@@ -146,7 +128,7 @@ export class Sites {
 
   /** @returns their ids */
   insert(xyr: Float64Array): Uint32Array {
-    const ids = this.diagram.insertMany(this.#weighted(xyr));
+    const ids = this.diagram.insertMany(xyr);
     this.#mirror(ids, xyr);
     this.#changed(true);
     return ids;
@@ -159,31 +141,15 @@ export class Sites {
   }
 
   update(ids: ArrayLike<number>, xyr: Float64Array) {
-    if (ids.length === 1) this.diagram.update(ids[0], xyr[0], xyr[1], xyr[2] * this.weight);
-    else this.diagram.updateMany(ids, this.#weighted(xyr));
-    this.#truth?.update(ids, xyr);
+    if (ids.length === 1) this.diagram.update(ids[0], xyr[0], xyr[1], xyr[2]);
+    else this.diagram.updateMany(ids, xyr);
     this.#mirror(ids, xyr);
-    this.#changed(false);
-  }
-
-  /** Lets this share of the radii count. */
-  weigh(weight: number) {
-    const { ids } = this;
-    const before = this.weight;
-    this.weight = weight;
-    try {
-      this.diagram.updateMany(ids, this.#weighted(this.triples(ids)));
-    } catch (error) {
-      this.weight = before;
-      throw error;
-    }
-    if (weight === 1) this.#forgetTruth();
     this.#changed(false);
   }
 
   /** What a circle's cell would be, drawn by a function that gets its id; nothing is changed. */
   tryOut<Drawn>({ x, y, r }: Circle, draw: (id: number) => Drawn): Drawn {
-    const id = this.diagram.insert(x, y, r * this.weight);
+    const id = this.diagram.insert(x, y, r);
     try {
       return draw(id);
     } finally {
@@ -193,17 +159,6 @@ export class Sites {
 
   dispose() {
     this.diagram.dispose();
-    this.#forgetTruth();
-  }
-
-  #forgetTruth() {
-    this.#truth?.diagram.dispose();
-    this.#truth = null;
-  }
-
-  #weighted(xyr: Float64Array) {
-    if (this.weight === 1) return xyr;
-    return xyr.map((value, k) => (k % 3 === 2 ? value * this.weight : value));
   }
 
   #mirror(ids: ArrayLike<number>, xyr: Float64Array) {
@@ -223,10 +178,7 @@ export class Sites {
   }
 
   #changed(idsToo: boolean) {
-    if (idsToo) {
-      this.#ids = null;
-      this.#forgetTruth();
-    }
+    if (idsToo) this.#ids = null;
     const needed = this.xyr.length / 3;
     if (this.#flags.length < needed) this.#flags = new Uint8Array(needed);
     else this.#flags.fill(kUnknown);

@@ -4,7 +4,6 @@ import type { Diagram } from "apollonius-diagram";
 import { roundedTo } from "../../shared/rounding.js";
 import type { App } from "../app.js";
 import type { OpenChange } from "../model/model.js";
-import type { Sites } from "../model/sites.js";
 
 const kPixels = 1 / 32; // between two numbers, at most: a circle moves by half of it
 const kTries = 3; // each with one more digit
@@ -12,7 +11,7 @@ const kTries = 3; // each with one more digit
 /** Rounds the coordinates that have changed, if no circle becomes hidden or visible by that. */
 export function roundMoved(app: App, change: OpenChange) {
   const { before, after } = change;
-  const hidden = hiddenOf(app.sites);
+  const hidden = hiddenOf(app.diagram);
   let digits = digitsOf(app);
   for (let k = 0; k < kTries; k++, digits++) {
     change.to(
@@ -20,24 +19,21 @@ export function roundMoved(app: App, change: OpenChange) {
         k % 3 === 2 || value === before[k] ? value : roundedTo(value, digits),
       ),
     );
-    if (hiddenOf(app.sites) === hidden) return;
+    if (hiddenOf(app.diagram) === hidden) return;
   }
   change.to(after);
 }
 
 /** Decimal places that show no difference now, nor when all circles are shown. */
-function digitsOf({ sites, view, insets }: App) {
+function digitsOf({ sites, view, camera }: App) {
   const fitted = view.copy();
   const bounds = sites.bounds();
-  if (bounds) fitted.fit(bounds, insets());
+  if (bounds) fitted.fit(bounds, camera.insets());
   return Math.max(view.digits(kPixels), fitted.digits(kPixels));
 }
 
-/** Which circles are hidden, as a text; while only the centres count, of the circles too. */
-const hiddenOf = ({ diagram, truth }: Sites) =>
-  `${hiddenIn(diagram)} ${truth ? hiddenIn(truth.diagram) : ""}`;
-
-const hiddenIn = (diagram: Diagram) =>
+/** Which circles are hidden, as a text. */
+const hiddenOf = (diagram: Diagram) =>
   diagram
     .ids()
     .filter((id) => diagram.isHidden(id))

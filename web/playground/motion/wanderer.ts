@@ -1,27 +1,37 @@
-// At first one circle of the opening set moves slowly, until the visitor does something: so one
-// sees that the diagram is alive. It is no edit, and with reduced motion it does not happen.
+// At first one circle of the opening set goes its way once and comes home, unless the visitor does
+// something before: so one sees that the diagram is alive. It is no edit. With reduced motion it
+// does not happen.
+import { isDue } from "../../shared/pace.js";
 import type { App } from "../app.js";
 import { kWanderer } from "../sets/opening.js";
 
+/** Slow at first and at last. */
+const eased = (t: number) => t * t * (3 - 2 * t);
+const rounded = (value: number) => Math.round(value * 10) / 10;
+
 export function letWander(app: App) {
   if (matchMedia("(prefers-reduced-motion: reduce)").matches) return;
-  const { id, reach, period } = kWanderer;
+  const { id, reach, time } = kWanderer;
   const { x, y, r } = app.sites.site(id);
-  const start = performance.now();
   const change = app.model.begin([id]);
+  let start = -1;
+  let last = -Infinity;
   let frame = 0;
 
   const step = (now: number) => {
     if (!change.isOpen) return;
-    const angle = (2 * Math.PI * Math.max(0, now - start)) / period;
-    const round = (value: number) => Math.round(value * 10) / 10;
-    const at = [
-      round(x + reach * Math.sin(angle)),
-      round(y + reach * Math.sin(2 * angle) * 0.6),
-      r,
-    ];
-    change.to(Float64Array.from(at));
+    if (start < 0) start = now;
+    if (now - start >= time) {
+      change.cancel();
+      stop();
+      return;
+    }
     frame = requestAnimationFrame(step);
+    if (!isDue(now, last)) return;
+    last = now;
+    const angle = 2 * Math.PI * eased((now - start) / time);
+    const at = [x + reach * Math.sin(angle), y + reach * Math.sin(2 * angle) * 0.6].map(rounded);
+    change.to(Float64Array.of(...at, r));
   };
   const stop = () => {
     cancelAnimationFrame(frame);

@@ -1,6 +1,5 @@
 // The circles, visible and hidden, and names in them. Few are drawn as paths, many point by point.
-// They are drawn at their radii, whether or not these count: where centres alone count, as outlines
-// without a fill. A circle of negative radius is a cross at its centre.
+// A circle of negative radius is a cross at its centre.
 import type { Sites } from "../model/sites.js";
 import { boundsOf } from "./curves.js";
 import { addDisc, addRim } from "./discs.js";
@@ -15,7 +14,6 @@ const kNameFrom = 15; // and visible ones may show their names
 const kThinBelow = 6; // pixels: smaller circles have thin rims
 const kThinLine = 0.8;
 const kLine = 1.25;
-const kCentre = 2; // pixels: a centre's dot
 const kCross = 3; // pixels from a cross's middle to its ends
 const kMostPaths = 1500;
 const kManySites = 30_000; // from here on the diagram is asked for those in the window
@@ -77,7 +75,7 @@ export class CirclesLayer {
       this.#isMany = size + this.#hidden.size > kMostPaths;
     }
     if (this.#isMany) {
-      this.#drawMany(context, view, layers, theme, inkOf(theme, sites), pixelRatio, box);
+      this.#drawMany(context, view, layers, theme, pixelRatio, box);
       return;
     }
     for (const _ of this.#drawParts(context, picture, box));
@@ -96,8 +94,7 @@ export class CirclesLayer {
     box: Box,
   ): Generator<"circles" | "hidden" | "names"> {
     if (layers.circles) {
-      drawPaths(context, view, this.#visible, inkOf(theme, sites));
-      if (sites.weight === 0 && !this.#isMany) drawCentres(context, this.#visible, theme);
+      drawPaths(context, view, this.#visible, theme);
       drawCrosses(context, this.#negative, theme);
       yield "circles";
     }
@@ -154,7 +151,6 @@ export class CirclesLayer {
     view: View,
     layers: Layers,
     theme: Theme,
-    ink: CircleInk,
     ratio: number,
     box: Box,
   ) {
@@ -170,13 +166,12 @@ export class CirclesLayer {
       bottom: Math.min(height, Math.round(box.bottom * ratio)),
     });
     this.#large.clear();
-    const fill = ink.share === 1 ? ink.fill : "transparent";
     if (layers.circles)
       for (const triples of [this.#visible, this.#negative])
-        this.#shed(shower, triples, fill, ink.stroke, ratio);
+        this.#shed(shower, triples, theme.siteFill, theme.site, ratio);
     if (layers.hidden) this.#shed(shower, this.#hidden, theme.hiddenFill, theme.hidden, ratio);
     shower.show(context);
-    if (layers.circles) drawPaths(context, view, this.#large, ink);
+    if (layers.circles) drawPaths(context, view, this.#large, theme);
   }
 
   /** The small ones of these; the large ones go elsewhere. */
@@ -229,27 +224,6 @@ export class CirclesLayer {
   }
 }
 
-/** `share` of the fill that is seen: as much as of the radii counts. */
-type CircleInk = { fill: string; stroke: string; share: number };
-
-const inkOf = ({ siteFill, site }: Theme, { weight }: Sites): CircleInk => ({
-  fill: siteFill,
-  stroke: site,
-  share: weight,
-});
-
-/** Dots, where they leave something of the circles: what counts. */
-function drawCentres(context: CanvasRenderingContext2D, { xyr, length }: Triples, theme: Theme) {
-  context.fillStyle = theme.site;
-  context.beginPath();
-  for (let k = 0; k < length; k += 3) {
-    if (xyr[k + 2] < 2 * kCentre) continue;
-    context.moveTo(xyr[k] + kCentre, xyr[k + 1]);
-    context.arc(xyr[k], xyr[k + 1], kCentre, 0, 2 * Math.PI);
-  }
-  context.fill();
-}
-
 function drawCrosses(context: CanvasRenderingContext2D, { xyr, length }: Triples, theme: Theme) {
   context.strokeStyle = theme.site;
   context.lineWidth = kLine;
@@ -284,20 +258,11 @@ function split({ xyr, length }: Triples, size: number) {
   return [small, large];
 }
 
-function drawPaths(
-  context: CanvasRenderingContext2D,
-  view: View,
-  triples: Triples,
-  { fill, stroke, share }: CircleInk,
-) {
-  if (share > 0) {
-    addCircles(context, view, triples, addDisc);
-    context.globalAlpha = share;
-    context.fillStyle = fill;
-    context.fill();
-    context.globalAlpha = 1;
-  }
-  context.strokeStyle = stroke;
+function drawPaths(context: CanvasRenderingContext2D, view: View, triples: Triples, theme: Theme) {
+  addCircles(context, view, triples, addDisc);
+  context.fillStyle = theme.siteFill;
+  context.fill();
+  context.strokeStyle = theme.site;
   const [small, large] = split(triples, kThinBelow);
   context.lineWidth = kThinLine;
   addCircles(context, view, small, addRim);

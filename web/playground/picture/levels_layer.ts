@@ -49,7 +49,7 @@ function strokeCells(
 ) {
   const bounds = boundsOf(view, box);
   if (!bounds) return;
-  const diagram = new Diagram(sites.countingTriples(ids));
+  const diagram = new Diagram(sites.triples(ids));
   const strokes = new ScreenStrokes(context, view, box);
   diagram.voronoi(bounds).render(strokes, drawOptions(view));
   strokes.finish();

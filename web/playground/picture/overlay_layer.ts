@@ -8,15 +8,11 @@ import type { Picture } from "./picture.js";
 import type { Theme } from "../../shared/theme.js";
 import type { Box, View } from "./view.js";
 
-/**
- * Pointer in pixels, all else in units; `right` is the nearest circle, which is another than `id`
- * where centres pick wrongly; `nearest`, `under`, `empty` if they are asked for.
- */
+/** Pointer in pixels, all else in units; `nearest`, `under`, `empty` if they are asked for. */
 export type Hover = {
   x: number;
   y: number;
   id: number;
-  right: number;
   distance: number;
   neighbors: Uint32Array;
   nearest: Uint32Array;
@@ -86,12 +82,11 @@ function drawHover(
   for (const id of hover.neighbors) addCell(context, sites, view, id, ends);
   context.fill();
 
-  const isWrong = hover.right !== hover.id;
-  context.fillStyle = isWrong ? theme.wrongFill : theme.accentFill;
+  context.fillStyle = theme.accentFill;
   context.beginPath();
   addCell(context, sites, view, hover.id, ends);
   context.fill();
-  context.strokeStyle = isWrong ? theme.wrong : theme.accent;
+  context.strokeStyle = theme.accent;
   context.lineWidth = 2;
   context.stroke();
 
@@ -109,33 +104,26 @@ function drawHover(
     context.stroke();
   }
 
-  drawPicked(context, sites, view, hover.id, {
-    fill: isWrong ? theme.wrongFill : theme.accentSite,
-    stroke: isWrong ? theme.wrong : theme.accent,
-  });
-  if (isWrong) {
-    const ink = { fill: theme.accentSite, stroke: theme.accent };
-    drawPicked(context, sites, view, hover.right, ink);
-  }
+  drawNearest(context, sites, view, theme, hover.id);
   drawDistance(context, sites, view, theme, hover);
   if (hover.empty) drawEmpty(context, view, theme, hover.empty);
   if (hover.nearest.length > 0) drawRanks(context, sites, view, theme, hover);
 }
 
-/** A circle that is picked; of a negative radius the ring whose far side counts, dotted. */
-function drawPicked(
+/** The nearest circle; of a negative radius the ring whose far side counts, dotted. */
+function drawNearest(
   context: CanvasRenderingContext2D,
   sites: Sites,
   view: View,
+  theme: Theme,
   id: number,
-  { fill, stroke }: { fill: string; stroke: string },
 ) {
   const { x, y, r } = sites.site(id);
   const [px, py] = [view.toScreenX(x), view.toScreenY(y)];
-  context.strokeStyle = stroke;
+  context.strokeStyle = theme.accent;
   context.lineWidth = 2.5;
   if (r >= 0) {
-    context.fillStyle = fill;
+    context.fillStyle = theme.accentSite;
     fillAndStroke(context, view, px, py, Math.max(r * view.scale, 2));
     return;
   }

@@ -17,7 +17,6 @@ export type State = {
   params: Params;
   edits: string;
   view: Looked | null;
-  isCentres: boolean;
   shown: Record<string, boolean>;
 };
 
@@ -90,18 +89,14 @@ export type Address = { hash: string; isWhole: boolean; length: number };
 const partOf = (edits: string) =>
   edits.length > kLongPlain ? ["packed", packed(edits)] : ["edits", edits];
 
-/** The part of the address after "#". @param page `usual`: layers at first */
-export function addressOf(
-  { sites, view, painter }: App,
-  { isCentres, usual }: { isCentres: boolean; usual: Record<string, boolean> },
-): Address {
+/** The part of the address after "#". @param usual layers at first */
+export function addressOf({ sites, view, painter }: App, usual: Record<string, boolean>): Address {
   const edits = editsOf(sites);
   const parts = [["set", sites.info.key]];
   for (const [name, value] of Object.entries(sites.info.params ?? {}))
     if (value !== false) parts.push([name, String(value === true ? 1 : value)]);
   const { x, y } = view.disc();
   const rest = [["view", [x, y, view.width / view.scale].map(short).join()]];
-  if (isCentres) rest.push(["to", "centres"]);
   const switched = Object.entries(painter.layers)
     .filter(([name, isShown]) => usual[name] !== isShown)
     .map(([name, isShown]) => (isShown ? name : `-${name}`));
@@ -126,13 +121,12 @@ export function stateOf(hash: string): State {
         return at < 0 ? [part, ""] : [part.slice(0, at), part.slice(at + 1)];
       }),
   );
-  const { set = "opening", edits = "", packed: letters, view, to, show = "", ...params } = all;
+  const { set = "opening", edits = "", packed: letters, view, show = "", ...params } = all;
   return {
     key: set,
     params,
     edits: letters ? unpacked(letters) : edits,
     view: lookedOf(view),
-    isCentres: to === "centres",
     shown: Object.fromEntries(
       show
         .split(",")

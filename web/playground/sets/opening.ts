@@ -40,5 +40,5 @@ export const kOpening: Triple[] = [
   [612, 470, 7],
 ];
 
-/** The one that moves by itself at first, and around which it goes, in units. */
-export const kWanderer = { id: 3, reach: 26, period: 9000 };
+/** The one that moves by itself at first: how far, in units, and how long, in milliseconds. */
+export const kWanderer = { id: 3, reach: 26, time: 10_000 };

@@ -26,7 +26,7 @@ export class DeleteGesture implements Gesture {
   cancel() {}
 
   #removeAt(at: Touch) {
-    const [id] = this.app.at(at.x, at.y, kReach[at.type]);
+    const [id] = this.app.pointer.circlesAt(at.x, at.y, kReach[at.type]);
     if (id !== undefined) this.app.model.remove([id]);
   }
 }
@@ -37,12 +37,12 @@ export const deleteTool: Tool = {
   label: "Delete",
   icon: [["path", { d: "M5 7h14M10 7V4h4v3M7 7l1 13h8l1-13M10.5 11v5M13.5 11v5" }]],
   cursor: (app: App, at: Touch): string =>
-    app.at(at.x, at.y, kReach.mouse).length > 0 ? "pointer" : "crosshair",
+    app.pointer.circlesAt(at.x, at.y, kReach.mouse).length > 0 ? "pointer" : "crosshair",
   gesture: (app: App, at: Touch): Gesture => new DeleteGesture(app, at),
   /** With something selected, "Delete" is what it says. */
   press(app: App): boolean {
     if (app.selection.size === 0) return false;
-    app.removeSelected();
+    app.edits.removeSelected();
     return true;
   },
 };

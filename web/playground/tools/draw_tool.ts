@@ -1,6 +1,7 @@
 // Draw: the pointer goes down at the centre and is dragged to the rim; a click inserts a circle of
 // the size of the last one. The cell that it will have is shown.
-import type { App, Point } from "../app.js";
+import type { App } from "../app.js";
+import type { Point } from "../pointer.js";
 import { isOnHandle, SelectGesture } from "./select_tool.js";
 import type { Gesture, Tool, Touch } from "./tool.js";
 
@@ -14,20 +15,20 @@ export class DrawGesture implements Gesture {
     at: Touch,
   ) {
     this.#centre = { x: app.view.toWorldX(at.x), y: app.view.toWorldY(at.y) };
-    app.mark({ draft: app.draftAt(at.x, at.y) });
+    app.mark({ draft: app.edits.draftAt(at.x, at.y) });
   }
 
   move(at: Touch) {
     this.#hasMoved = true;
     this.app.mark({ draft: this.#draftTo(at) });
-    this.app.refreshHover();
+    this.app.pointer.refresh();
   }
 
   end(at: Touch) {
-    const draft = this.#hasMoved ? this.#draftTo(at) : this.app.draftAt(at.x, at.y);
+    const draft = this.#hasMoved ? this.#draftTo(at) : this.app.edits.draftAt(at.x, at.y);
     this.cancel();
-    const id = this.app.insertCircle({ ...this.#centre, r: draft.r });
-    this.app.remember(id);
+    const id = this.app.edits.insertCircle({ ...this.#centre, r: draft.r });
+    this.app.edits.remember(id);
   }
 
   cancel() {
@@ -58,6 +59,6 @@ export const drawTool: Tool = {
   gesture: (app: App, at: Touch): Gesture =>
     isOnHandle(app, at) && !at.altKey ? new SelectGesture(app, at) : new DrawGesture(app, at),
   hover(app: App, at: Touch) {
-    app.mark({ draft: isOnHandle(app, at) ? null : app.draftAt(at.x, at.y) });
+    app.mark({ draft: isOnHandle(app, at) ? null : app.edits.draftAt(at.x, at.y) });
   },
 };

@@ -59,7 +59,7 @@ export function listenToPointer(element: HTMLElement, app: App) {
     const now = { x: (a.x + b.x) / 2, y: (a.y + b.y) / 2, size: Math.hypot(a.x - b.x, a.y - b.y) };
     if (pinch) {
       app.view.pan(now.x - pinch.x, now.y - pinch.y);
-      app.zoom(now.size / Math.max(pinch.size, 1), now.x, now.y);
+      app.camera.zoom(now.size / Math.max(pinch.size, 1), now.x, now.y);
     }
     pinch = now;
   }
@@ -79,7 +79,7 @@ export function listenToPointer(element: HTMLElement, app: App) {
       cancel();
       return;
     }
-    app.hoverAt({ x: at.x, y: at.y });
+    app.pointer.moveTo({ x: at.x, y: at.y });
     start = at;
     gesture = begin(at, event.button);
     showCursor(at);
@@ -95,7 +95,7 @@ export function listenToPointer(element: HTMLElement, app: App) {
   element.addEventListener("pointermove", (event) => {
     const at = touchOf(event);
     if (!down.has(event.pointerId)) {
-      app.hoverAt({ x: at.x, y: at.y });
+      app.pointer.moveTo({ x: at.x, y: at.y });
       toolOf(app.tool).hover?.(app, at);
       showCursor(at);
       return;
@@ -107,8 +107,8 @@ export function listenToPointer(element: HTMLElement, app: App) {
       start = null;
       clearTimeout(holding);
     }
-    app.pointer = { x: at.x, y: at.y };
-    if (start) app.refreshHover();
+    app.pointer.at = { x: at.x, y: at.y };
+    if (start) app.pointer.refresh();
     else gesture.move(at);
     showCursor(at);
   });
@@ -124,7 +124,7 @@ export function listenToPointer(element: HTMLElement, app: App) {
     start = null;
     if (event.type === "pointercancel") ended.cancel();
     else ended.end(at);
-    if (event.pointerType === "touch") app.hoverAt({ x: at.x, y: at.y });
+    if (event.pointerType === "touch") app.pointer.moveTo({ x: at.x, y: at.y });
     showCursor(at);
   };
   element.addEventListener("pointerup", end);
@@ -132,7 +132,7 @@ export function listenToPointer(element: HTMLElement, app: App) {
   element.addEventListener("pointerleave", (event) => {
     if (gesture || event.pointerType === "touch") return;
     app.mark({ draft: null });
-    app.hoverAt(null);
+    app.pointer.moveTo(null);
   });
   element.addEventListener("dblclick", (event) => {
     toolOf(app.tool).doubleClick?.(app, ...placeIn(element, event));
@@ -172,7 +172,7 @@ export function listenToPointer(element: HTMLElement, app: App) {
       const unit = event.deltaMode === 1 ? 18 : event.deltaMode === 2 ? 300 : 1;
       const delta = Math.max(-240, Math.min(240, event.deltaY * unit));
       const factor = Math.exp(-delta * (event.ctrlKey ? 0.01 : 0.0016));
-      app.zoom(factor, ...placeIn(element, event));
+      app.camera.zoom(factor, ...placeIn(element, event));
     },
     { passive: false },
   );

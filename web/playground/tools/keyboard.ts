@@ -27,9 +27,10 @@ export function listenToKeyboard(element: HTMLElement, app: App, gestures: { can
     else if (command && key === "a") selection.set(app.sites.ids);
     else if (command || event.altKey) return false;
     else if (direction) arrow(app, direction, event.shiftKey ? 10 : 1);
-    else if (key === "Delete" || key === "Backspace") app.removeSelected();
+    else if (key === "Delete" || key === "Backspace") app.edits.removeSelected();
     else if (key === "Enter") selectNearest(app);
-    else if (key === "Insert" || key === "i") app.insertAt(app.place.x, app.place.y);
+    else if (key === "Insert" || key === "i")
+      app.edits.insertAt(app.camera.place.x, app.camera.place.y);
     else if (key === "n") walk.go(1);
     else if (key === "p") walk.go(-1);
     else return false;
@@ -44,19 +45,19 @@ export function listenToKeyboard(element: HTMLElement, app: App, gestures: { can
     if (event.getModifierState("AltGraph") || !(command || event.altKey)) {
       const growth = kGrowths.get(key);
       if (growth !== undefined) {
-        app.grow(growth);
+        app.edits.grow(growth);
         return true;
       }
     }
-    if (command && key === "z") event.shiftKey ? app.redo() : app.undo();
-    else if (command && key === "y") app.redo();
-    else if (command && key === "d") app.duplicate();
+    if (command && key === "z") event.shiftKey ? app.edits.redo() : app.edits.undo();
+    else if (command && key === "y") app.edits.redo();
+    else if (command && key === "d") app.edits.duplicate();
     else if (command || event.altKey) return false;
     else if (key === "escape") giveUp();
     else if (tool) app.tool = tool;
-    else if (key === "+" || key === "=") app.zoom(kZoom);
-    else if (key === "-" || key === "_") app.zoom(1 / kZoom);
-    else if (key === "0" || key === "home") app.fit();
+    else if (key === "+" || key === "=") app.camera.zoom(kZoom);
+    else if (key === "-" || key === "_") app.camera.zoom(1 / kZoom);
+    else if (key === "0" || key === "home") app.camera.fit();
     else return false;
     return true;
   };
@@ -80,12 +81,12 @@ export function listenToKeyboard(element: HTMLElement, app: App, gestures: { can
 }
 
 function arrow(app: App, [dx, dy]: Direction, times: number) {
-  if (app.selection.size === 0) app.pan(-dx * kPan, -dy * kPan);
-  else app.nudge(dx * kStep * times, dy * kStep * times);
+  if (app.selection.size === 0) app.camera.pan(-dx * kPan, -dy * kPan);
+  else app.edits.nudge(dx * kStep * times, dy * kStep * times);
 }
 
 function selectNearest(app: App) {
-  const { x, y } = app.place;
+  const { x, y } = app.camera.place;
   const id = app.diagram.find(app.view.toWorldX(x), app.view.toWorldY(y));
   if (id >= 0) app.selection.set([id]);
 }
@@ -116,7 +117,7 @@ function select(app: App, [dx, dy]: Direction) {
   }
   if (best < 0) return;
   app.selection.set([best]);
-  app.show(best);
+  app.camera.show(best);
 }
 
 /** From neighbour to neighbour through all visible circles, and back. */
@@ -141,7 +142,7 @@ class Walk {
     if (step < 0 || step >= this.#path.length || !app.diagram.has(this.#path[step])) return;
     this.#step = step;
     app.selection.set([this.#path[step]]);
-    app.show(this.#path[step]);
+    app.camera.show(this.#path[step]);
   }
 
   /** By the neighbour that waits for the longest time. */

@@ -14,7 +14,7 @@ export class PanGesture implements Gesture {
   }
 
   move(at: Touch) {
-    this.app.pan(at.x - this.#last.x, at.y - this.#last.y);
+    this.app.camera.pan(at.x - this.#last.x, at.y - this.#last.y);
     this.#last = at;
   }
 

@@ -23,7 +23,7 @@ export function isOnHandle(app: App, { x, y, type }: Touch) {
 function cursorOfSelect(app: App, at: Touch): string {
   if (isOnHandle(app, at)) return "ew-resize";
   if (app.sites.size === 0) return "crosshair";
-  return app.at(at.x, at.y, kReach.mouse).length > 0 ? "move" : "default";
+  return app.pointer.circlesAt(at.x, at.y, kReach.mouse).length > 0 ? "move" : "default";
 }
 
 export class SelectGesture implements Gesture {
@@ -39,7 +39,7 @@ export class SelectGesture implements Gesture {
     at: Touch,
   ) {
     this.start = at;
-    this.#found = app.at(at.x, at.y, kReach[at.type]);
+    this.#found = app.pointer.circlesAt(at.x, at.y, kReach[at.type]);
     this.isOnHandle = isOnHandle(app, at);
   }
 
@@ -61,7 +61,7 @@ export class SelectGesture implements Gesture {
   move(at: Touch) {
     this.#drag ??= this.#begin();
     if (!this.#drag.move(at)) this.#drag = kNoDrag; // what was dragged is gone
-    this.app.refreshHover();
+    this.app.pointer.refresh();
   }
 
   end(at: Touch) {
@@ -137,7 +137,7 @@ class Move {
     const { app, change } = this;
     if (!change.isOpen) return false;
     const shift = [app.view.toWorldX(at.x) - this.x, app.view.toWorldY(at.y) - this.y, 0];
-    change.to(change.before.map((v, k) => (k % 3 === 2 ? v : app.rounded(v + shift[k % 3]))));
+    change.to(change.before.map((v, k) => (k % 3 === 2 ? v : app.edits.rounded(v + shift[k % 3]))));
     return true;
   }
 
@@ -174,12 +174,12 @@ class Resize {
       at.y - app.view.toScreenY(y),
     );
     const radius = radiusForHandle(app.view, distance);
-    change.to(Float64Array.of(x, y, app.rounded(radius)));
+    change.to(Float64Array.of(x, y, app.edits.rounded(radius)));
     return true;
   }
 
   end() {
-    if (this.change.isOpen) this.app.remember(this.id);
+    if (this.change.isOpen) this.app.edits.remember(this.id);
     this.change.commit();
   }
 
@@ -199,7 +199,7 @@ class ViewDrag {
   }
 
   move(at: Touch) {
-    this.app.pan(at.x - this.last.x, at.y - this.last.y);
+    this.app.camera.pan(at.x - this.last.x, at.y - this.last.y);
     this.last = at;
     return true;
   }
@@ -273,6 +273,6 @@ export const selectTool: Tool = {
   cursor: cursorOfSelect,
   gesture: (app: App, at: Touch): Gesture => new SelectGesture(app, at),
   doubleClick(app: App, x: number, y: number) {
-    if (app.at(x, y, kReach.mouse).length === 0) app.insertAt(x, y);
+    if (app.pointer.circlesAt(x, y, kReach.mouse).length === 0) app.edits.insertAt(x, y);
   },
 };

@@ -27,7 +27,7 @@ export function makeCodeDialog(app: App) {
   );
 }
 
-export function codeOf({ sites, diagram, view, hover }: App) {
+export function codeOf({ sites, diagram, view, pointer: { hover } }: App) {
   const [px, py] = hover ? [hover.x, hover.y] : [view.width / 2, view.height / 2];
   const number = (value: number) => Number(value.toPrecision(5));
   const [x, y] = [number(view.toWorldX(px)), number(view.toWorldY(py))];
@@ -40,11 +40,10 @@ export function codeOf({ sites, diagram, view, hover }: App) {
     view.toWorldX(view.width),
     view.toWorldY(0),
   ].map(number);
-  const weights = sites.weight === 0 ? ", (d) => d[0], (d) => d[1], () => 0" : "";
   return `import { Diagram } from "apollonius-diagram";
 
 ${circlesOf(sites)}
-const diagram = Diagram.from(circles${weights});
+const diagram = Diagram.from(circles);
 
 diagram.find(${x}, ${y});${found >= 0 && isRow ? ` // ${found}: the nearest circle` : ""}
 diagram.nearest(${x}, ${y}); // and how far it is${distanceOf(diagram, x, y)}

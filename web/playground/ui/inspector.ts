@@ -95,11 +95,11 @@ export function makeInspector(app: App) {
       if (event.key === "Escape") element("overlay").focus();
     });
   });
-  element("card-larger").addEventListener("click", () => app.grow(kGrow));
-  element("card-smaller").addEventListener("click", () => app.grow(1 / kGrow));
-  element("card-duplicate").addEventListener("click", () => app.duplicate());
+  element("card-larger").addEventListener("click", () => app.edits.grow(kGrow));
+  element("card-smaller").addEventListener("click", () => app.edits.grow(1 / kGrow));
+  element("card-duplicate").addEventListener("click", () => app.edits.duplicate());
   element("card-delete").addEventListener("click", () => {
-    app.removeSelected();
+    app.edits.removeSelected();
     element("overlay").focus(); // the button goes away
   });
   element("card-close").addEventListener("click", () => {

@@ -51,7 +51,7 @@ export function makeSetsMenu(app: App, actions: Actions) {
   });
   element("clear").addEventListener("click", () => {
     menu.hidePopover();
-    app.clear();
+    app.edits.clear();
     element("overlay").focus();
   });
   listenToData(actions, () => menu.hidePopover());

@@ -38,23 +38,23 @@ export function makeSheet(app: App) {
   let lent = { x: 0, y: 0, looks: -1 };
   /** With the place that was touched. */
   const movedBy = (dx: number, dy: number) => {
-    if (app.pointer) app.hoverAt({ x: app.pointer.x + dx, y: app.pointer.y + dy });
+    if (app.pointer.at) app.pointer.moveTo({ x: app.pointer.at.x + dx, y: app.pointer.at.y + dy });
   };
   function giveBack() {
     const { x, y, looks } = lent;
     lent = { x: 0, y: 0, looks: -1 };
-    if (looks !== app.looks || (x === 0 && y === 0)) return;
-    app.pan(-x, -y);
+    if (looks !== app.camera.looks || (x === 0 && y === 0)) return;
+    app.camera.pan(-x, -y);
     movedBy(-x, -y);
   }
   new ResizeObserver(() => {
     if (!sheet.classList.contains("open") || app.selection.size === 0) return;
     const { originX, originY } = app.view;
-    const before = lent.looks === app.looks ? lent : { x: 0, y: 0 };
-    app.show(app.selection.last);
+    const before = lent.looks === app.camera.looks ? lent : { x: 0, y: 0 };
+    app.camera.show(app.selection.last);
     const [dx, dy] = [app.view.originX - originX, app.view.originY - originY];
     if (dx === 0 && dy === 0) return;
-    lent = { x: before.x + dx, y: before.y + dy, looks: app.looks };
+    lent = { x: before.x + dx, y: before.y + dy, looks: app.camera.looks };
     movedBy(dx, dy);
   }).observe(sheet);
   whenever(

@@ -1,5 +1,6 @@
 // The menu of what is shown and answered, and of motion.
-import type { App, Questions } from "../app.js";
+import type { App } from "../app.js";
+import type { Questions } from "../pointer.js";
 import { effect } from "../model/signals.js";
 import { drift } from "../motion/drift.js";
 import type { Motion } from "../motion/motion.js";
@@ -25,7 +26,7 @@ export function makeShowMenu(app: App, motion: Motion) {
   const questions = element("questions");
   questions.addEventListener("change", () => {
     const isAsked = (name: keyof Questions) => boxIn(questions, name).checked;
-    app.ask({
+    app.pointer.ask({
       neighbors: isAsked("neighbors"),
       under: isAsked("under"),
       empty: isAsked("empty"),

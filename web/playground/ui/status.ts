@@ -80,7 +80,7 @@ function measure({ diagram, sites, view, painter }: App): Times {
   const nearest = queries && queries / kQueries;
   if (sites.size > kMostRebuilt)
     return { nearest, build: sites.buildTime >= kLongEnough ? sites.buildTime : undefined };
-  const xyr = sites.countingTriples(sites.ids);
+  const xyr = sites.triples(sites.ids);
   return { nearest, build: timeOf(() => new Diagram(xyr).dispose()) };
 }
 

@@ -1,9 +1,10 @@
 // The tag at the pointer: which site is nearest, how far it is, and what else was asked. On a phone
 // the sheet says it; of a selected circle the sheet says what the card is about.
 import { make } from "../../shared/dom.js";
-import type { App, Point } from "../app.js";
+import type { App } from "../app.js";
 import { whenever } from "../model/signals.js";
 import type { Sites } from "../model/sites.js";
+import type { Point } from "../pointer.js";
 import type { Hover } from "../picture/overlay_layer.js";
 import type { View } from "../picture/view.js";
 import { type Globe, placeOn } from "../model/globe.js";
@@ -18,17 +19,16 @@ export function makeTag(app: App) {
   const answer = element("answer");
 
   const update = oncePerFrame(() => {
-    const { hover } = app;
+    const { hover } = app.pointer;
     tag.hidden = hover === null;
     const said = hover ? textOf(app, hover) : null;
     if (hover && said) {
       write(tag, said);
-      tag.classList.toggle("wrong", hover.right !== hover.id);
       place(tag, hover, app.view);
     }
     write(answer, selectedText(app) ?? said ?? ["", promptOf(app)]);
   });
-  whenever(() => [app.hover, app.selection.ids], update);
+  whenever(() => [app.pointer.hover, app.selection.ids], update);
   app.model.on("change", update);
   update();
 }
@@ -52,13 +52,10 @@ function selectedText({ selection, sites, diagram }: App): [string, string] | nu
 
 /** @returns the nearest site, and the rest */
 function textOf(app: App, hover: Hover): [string, string] {
-  const { sites, questions } = app;
+  const { sites } = app;
+  const { questions } = app.pointer;
   const { name } = sites.label(hover.id);
-  const said = [sites.info.globe ? onGlobe(app, hover, sites.info.globe) : onPlane(app, hover)];
-  if (hover.right !== hover.id) {
-    said.push(`wrong: ${sites.label(hover.right).name} is nearer`);
-    return [name, said.join(" · ")];
-  }
+  const said = [sites.info.globe ? onGlobe(app, hover, sites.info.globe) : away(hover.distance)];
   if (questions.neighbors) {
     const count = hover.neighbors.length;
     const inDual = app.diagram.neighbors(hover.id).length;
@@ -73,18 +70,14 @@ function textOf(app: App, hover: Hover): [string, string] {
   return [name, said.join(" · ")];
 }
 
-function onPlane({ sites, diagram }: App, hover: Hover) {
-  const text = away(hover.distance);
-  return sites.weight === 0 && diagram.size > 0 ? text.replace("away", "to its centre") : text;
-}
-
 /** In kilometres on the Earth, where another one than on the map can be the nearest. */
 function onGlobe({ sites, view }: App, { id, x, y }: Hover, globe: Globe) {
   const place = placeOn(view.toWorldX(x), view.toWorldY(y));
   const distance = place && globe.distance(sites, id, place);
   if (!place || distance === null) return "nearest on the map, off the globe";
   const nearest = globe.nearest(sites, place);
-  if (!nearest || nearest.id === id) return awayOnGlobe(sites, distance);
+  if (!nearest || nearest.id === id)
+    return `${kilometres(Math.abs(distance))} ${distance < 0 ? "inside" : "away"}`;
   // Short: the tag has one line. Both are distances on the globe.
   const other = `${sites.label(nearest.id).name} ${kilometres(nearest.distance)}`;
   return `${kilometres(distance)}; nearer on Earth: ${other}`;
@@ -92,12 +85,6 @@ function onGlobe({ sites, view }: App, { id, x, y }: Hover, globe: Globe) {
 
 /** "−12 km" is inside. */
 const kilometres = (distance: number) => `${short(distance)} km`;
-
-function awayOnGlobe(sites: Sites, distance: number) {
-  const text = kilometres(Math.abs(distance));
-  if (sites.weight === 0) return `${text} to its centre`;
-  return `${text} ${distance < 0 ? "inside" : "away"}`;
-}
 
 function namesOf(sites: Sites, ids: ArrayLike<number>) {
   if (ids.length === 0) return "no circle";

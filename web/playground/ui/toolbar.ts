@@ -23,11 +23,11 @@ export function makeToolbar(app: App) {
     element("tool-undo").disabled = !app.model.canUndo;
     element("tool-redo").disabled = !app.model.canRedo;
   });
-  element("tool-undo").addEventListener("click", () => app.undo());
-  element("tool-redo").addEventListener("click", () => app.redo());
-  element("tool-out").addEventListener("click", () => app.zoom(1 / kZoom));
-  element("tool-in").addEventListener("click", () => app.zoom(kZoom));
-  element("tool-fit").addEventListener("click", () => app.fit());
+  element("tool-undo").addEventListener("click", () => app.edits.undo());
+  element("tool-redo").addEventListener("click", () => app.edits.redo());
+  element("tool-out").addEventListener("click", () => app.camera.zoom(1 / kZoom));
+  element("tool-in").addEventListener("click", () => app.camera.zoom(kZoom));
+  element("tool-fit").addEventListener("click", () => app.camera.fit());
 }
 
 function buttonOf({ id, key, label, icon }: Tool) {
