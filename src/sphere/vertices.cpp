@@ -120,7 +120,7 @@ SphericalVertices::Entry& SphericalVertices::entryOf(FaceId face) {
 
 /// All faces that are reached across short edges get the vertex of the first one of them by number.
 void SphericalVertices::findSame(FaceId face) {
-  constexpr double kShort = 0x1p-42, kLongest = 0x1p-30, kRounding = 0x1p-50;
+  constexpr double kShort = 0x1p-42, kLongest = 0x1p-30, kNoise = 0x1p-50;
   const Graph& graph = diagram_.graph();
   // Where two sites are seen in nearly one direction, rounding moves a vertex farther than that,
   // and its distances to the sites by as little as anywhere.
@@ -139,9 +139,9 @@ void SphericalVertices::findSame(FaceId face) {
       Entry& entry = entryOf(beyond);
       if (entry.same != kNoFace) continue;
       const double length = lengthOf(entry.vertex.point - one.vertex.point);
-      const bool isShort = length <= kShort || (length <= kLongest &&
-                                                std::min(miss(one, graph.apex(twin)),
-                                                         miss(entry, graph.apex(h))) <= kRounding);
+      const bool isShort = length <= kShort ||
+                           (length <= kLongest && std::min(miss(one, graph.apex(twin)),
+                                                           miss(entry, graph.apex(h))) <= kNoise);
       if (!isShort) continue;
       entry.same = face;
       reached_.push_back(beyond);
