@@ -24,7 +24,7 @@ const copied = ["examples", "data", "icon.svg"]; // of web/
 const kRandomSets = "shared/random_sets";
 /** What every page needs comes in one piece, and random circles with it: they are small. */
 const kShared =
-  /dist\/esm\/(wasm|errors|(core|shapes)\/part)\.js|web\/(shared\/(package|theme|canvas|dom|errors|input)|figure\/(figure|pen))\.ts|preload-helper/;
+  /dist\/esm\/(wasm|errors|(core|shapes)\/part)\.js|web\/(shared\/(package|theme|canvas|dom|errors|input|pace)|figure\/(figure|pen))\.ts|preload-helper/;
 const isShared = (module) => kShared.test(module) || module.includes(`${kRandomSets}.ts`);
 
 /** The d3 modules that web/examples import, by the import map of its page. */
