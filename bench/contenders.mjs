@@ -24,7 +24,7 @@ const node = (module, ...flags) => ({
   program: process.execPath,
   args: ["--max-old-space-size=8192", ...flags, path.join(root, "bench/js/contender.mjs"), module],
 });
-// What the collector's and the compiler's threads do would count as the call's.
+// One thread: the work of V8's collector and compiler beside it would count as the call's.
 const kQuiet = ["--single-threaded", "--min-semi-space-size=64", "--max-semi-space-size=64"];
 const commands = {
   wasm: node("ours"),

@@ -56,7 +56,7 @@ function grownTable(records, title) {
   return text.filter(Boolean).join("\n\n");
 }
 
-/** What is marked, with its times. */
+/** A line for each mark, with its times. */
 function markedList(records) {
   const groups = groupsBy(records, ({ op, family }) => `${op}, ${family}`);
   return [...groups].flatMap(([key, group]) => {

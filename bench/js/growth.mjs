@@ -39,7 +39,7 @@ function askedIds(diagram) {
   return [most, ...ids.slice(0, kCells - 1)];
 }
 
-/** What the uses of calls get. */
+/** A surface, as the uses of calls get it: diagram and view, places and ids that are asked for. */
 function surfaceOf(Class, sites, places, box) {
   const make = (triples) => new Class(triples);
   const diagram = make(sites);

@@ -1,9 +1,9 @@
 // The calls to which the reference gives a cost, each with a use of it that is timed, and with what
 // the reference promises for that use. Costs are in units that cancel when two sizes are compared.
-// What uses get is a surface: js/growth.mjs.
+// A use gets a surface (js/growth.mjs).
 import { sharesOf } from "./shares.mjs";
 
-const kTimes = 2000; // of a call that takes less than a microsecond
+const kTimes = 2000; // calls in one use, where a call takes less than a microsecond
 
 const meanOf = (list, cost) => list.reduce((sum, item) => sum + cost(item), 0) / list.length;
 const sorted = (m) => m * Math.log2(1 + m);
@@ -53,7 +53,7 @@ const searched = {
   of: (surface) =>
     Math.log2(surface.n) + sorted(surface.diagram.search(...quarterOf(surface)).length),
 };
-/** Of the cells that are asked for: with the points of their polygons. */
+/** Degrees of the cells that are asked for, and the points of their polygons. */
 const degreeAndPoints = {
   text: "O(d + points)",
   of: ({ view, ids, degrees }) =>
@@ -233,7 +233,7 @@ const globeDiagramCalls = {
   farthest: [location, atPlaces(({ diagram }, x, y) => diagram.farthest(x, y))],
 };
 
-/** Of the class itself. */
+/** Constructor and static calls. */
 const classCalls = {
   constructor: [linearithmic, making(({ make, sites }) => make(sites)), { after: forget }],
   from: [

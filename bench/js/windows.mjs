@@ -92,7 +92,7 @@ export function windowOperations(Diagram) {
     return { ...answer, sum: found.reduce((a, b) => a + b, 0) };
   }
 
-  /** Of all cells, in bounds. */
+  /** Times a call that answers for all cells in bounds. */
   function ofCells(call) {
     return (request) => {
       const { diagram, sites, box } = load(request);

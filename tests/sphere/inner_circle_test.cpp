@@ -125,25 +125,47 @@ TEST(SphericalInnerCircle, OfSmallCellsIsAsGood) {
   }
 }
 
+/// Sites within some 1e-6 of (0, 0), as far from each other and in the same directions about
+/// another point.
+SphericalSites movedTo(const SphericalPoint& place, const SphericalSites& sites) {
+  SphericalSites moved;
+  for (const auto& [lon, lat, r] : sites) {
+    if (std::abs(place.lat) == 90) {
+      // `lat` is upwards along the meridian of 180 degrees; seen from below it is mirrored.
+      const double bearing = std::atan2(lon, -lat) / kDegree;
+      const double toLat = place.lat - std::copysign(std::hypot(lon, lat), place.lat);
+      moved.push_back({place.lat > 0 ? bearing : -bearing, toLat, r});
+    } else {
+      moved.push_back({place.lon + lon / std::cos(place.lat * kDegree), place.lat + lat, r});
+    }
+  }
+  return moved;
+}
+
 // Within a hundred metres on the Earth, and sites with weights, so that edges are curved: pieces of
 // their polygons were halved until memory ended, as rounding grew while they became shorter.
 TEST(SphericalInnerCircle, OfSmallCellsWithCurvedEdgesEnds) {
-  const SphericalSites sites{
-      {-33.95795845967763, 23.97055409477173, 7.365845704749868e-8},
-      {-33.95799474143675, 23.970544645704777, 4.403120570115409e-8},
-      {-33.9579706458745, 23.97051267535667, 1.977240820060478e-8},
-      {-33.95792578359274, 23.97052056354775, 6.9055470478014436e-9},
-      {-33.95792316179546, 23.970535115540244, 2.2511980629987114e-8},
-      {-33.95794632250389, 23.97056232972904, 7.072192030422748e-8},
-      {-33.958007154750874, 23.970557439605575, 5.616817172203719e-8},
+  const SphericalSites small{
+      {0, 0, 7.365845704749868e-8},
+      {-3.315261596e-5, -9.449066955e-6, 4.403120570115409e-8},
+      {-1.113519065e-5, -4.141941506e-5, 1.977240820060478e-8},
+      {2.985791537e-5, -3.353122398e-5, 6.9055470478014436e-9},
+      {3.225359409e-5, -1.897923149e-5, 2.2511980629987114e-8},
+      {1.109039555e-5, 8.234957310e-6, 7.072192030422748e-8},
+      {-4.449533599e-5, 3.344833843e-6, 5.616817172203719e-8},
   };
-  const SphericalDiagram diagram = diagramOf(sites);
-  SphericalCircle circle{};
-  ASSERT_EQ(diagram.cellCircle(0, kEverywhere, circle), Error::kNone);
-  double area = 0;
-  ASSERT_EQ(diagram.cellArea(0, kEverywhere, area), Error::kNone);
-  EXPECT_NEAR(circle.r, 2.4218e-7, 5e-10);
-  EXPECT_LE(kPi * circle.r * circle.r, area);
+  const SphericalPoint places[] = {{-33.958, 23.97}, {0, 0},  {180, 0},
+                                   {-180, 60},       {0, 90}, {0, -90}};
+  for (const SphericalPoint& place : places) {
+    SCOPED_TRACE(testing::Message() << place.lon << ", " << place.lat);
+    const SphericalDiagram diagram = diagramOf(movedTo(place, small));
+    SphericalCircle circle{};
+    ASSERT_EQ(diagram.cellCircle(0, kEverywhere, circle), Error::kNone);
+    double area = 0;
+    ASSERT_EQ(diagram.cellArea(0, kEverywhere, area), Error::kNone);
+    EXPECT_NEAR(circle.r, 2.4218e-7, 5e-10);
+    EXPECT_LE(kPi * circle.r * circle.r, area);
+  }
 }
 
 }  // namespace

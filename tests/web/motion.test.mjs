@@ -1,4 +1,4 @@
-// What moves by itself, and when it has come to rest; touch.
+// Motion without the visitor, and when it comes to rest; touch.
 import { expect, test } from "@jest/globals";
 import {
   circlesOf,
@@ -228,7 +228,7 @@ describeInBrowser("untouched and seen, after ten seconds no frame is asked for",
     await page.waitForFunction(() => byHand.isAsked, undefined, { polling: 20 });
     expect(await run(2)).toBe(2);
 
-    // What is out of the window asks for nothing; seen again it goes on.
+    // Out of the window, the figure asks for no frame; seen again, it goes on.
     await page.evaluate(() => scrollTo(0, document.body.scrollHeight));
     await page.waitForFunction(() => byHand.run(1 / 60) === 0, undefined, { polling: 20 });
     const hidden = await drawn();
@@ -257,7 +257,7 @@ describeInBrowser("touch", (open) => {
   };
   forEachPage(open, use, { viewport: { width: 800, height: 900 }, hasTouch: true });
 
-  /** What is done with the finger, until the page has felt that it has left. */
+  /** Acts with a finger and waits until the page has felt that it has left. */
   const untilItLeaves = async (act) => {
     await page.evaluate(() => {
       window.left = new Promise((resolve) =>

@@ -212,7 +212,7 @@ std::int32_t pick(const AnyDiagram& diagram, double x, double y, double maxDista
   return asSigned(id);
 }
 
-/// What both kinds of diagrams need for their first insertion and query.
+/// Registers the calls of a first insertion and query, which both kinds of diagrams have.
 template <class AnyDiagram>
 emscripten::class_<AnyDiagram> registerDiagram(const char* name) {
   return emscripten::class_<AnyDiagram>(name)

@@ -35,7 +35,7 @@ export class FigureRunner<State> {
   #theme = readTheme();
   #frame = 0;
   #last = 0; // when it was drawn while it moves, else 0
-  #isStale = true; // what is drawn
+  #isStale = true; // the drawing shows an older state
   #isSeen = true;
   #cursor: [number, number] | null = null;
   #quiet = 0;

@@ -18,7 +18,7 @@ type State = {
   right: Point; // where the second picture begins
   share: number; // of places where the pick is wrong
   tour: Point[]; // where the ghost pointer goes, once: wrong picks and a right one
-  time: number; // of the tour
+  time: number; // seconds of the tour
   at: Point;
   isLed: boolean; // by the reader
 };

@@ -16,7 +16,7 @@ function withExtent([xmin, ymin, xmax, ymax]: Bounds): Bounds {
 }
 
 export class Camera {
-  /** What the page's bars cover, in pixels. */
+  /** The margins that the page's bars cover, in pixels. */
   insets = () => kNoInsets;
   readonly #looks = signal(0);
 

@@ -1,4 +1,4 @@
-// What can be done to the circles, whoever asks for it: all of it can be undone.
+// All changes of circles that a tool, a key or a button makes; each can be undone.
 import { roundedTo } from "../shared/rounding.js";
 import type { Camera } from "./camera.js";
 import type { Circle } from "./model/circle.js";
@@ -10,7 +10,7 @@ import { emptySites } from "./model/sites.js";
 const kFirstRadius = 16; // pixels: a new circle, until the user has resized one
 const kMostSelected = 12; // circles that undo and redo select, as what they changed
 
-/** What edits need of the page; `tool`: the id of the chosen one. */
+/** The parts of the page that edits use; `tool` is the id of the chosen tool. */
 type Page = { model: Model; selection: Selection; camera: Camera; tool: string };
 
 export class Edits {

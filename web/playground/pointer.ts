@@ -10,7 +10,7 @@ import type { View } from "./picture/view.js";
 
 /** A place in pixels. */
 export type Point = { x: number; y: number };
-/** What is answered at the pointer: how many of the nearest. */
+/** Answers that the visitor wants at the pointer; `nearest`: how many of the nearest circles. */
 export type Questions = { neighbors: boolean; empty: boolean; under: boolean; nearest: number };
 
 const kNothing = new Uint32Array(0);
@@ -32,7 +32,7 @@ export class Pointer {
     readonly painter: Painter,
   ) {}
 
-  /** What is answered. */
+  /** The answers at the pointer. */
   get hover() {
     return this.#hover.value;
   }
@@ -52,7 +52,7 @@ export class Pointer {
     this.refresh();
   }
 
-  /** What it is on may have changed. */
+  /** Answers anew: the pointer, the view or the circles may have changed. */
   refresh() {
     const hover = this.at ? this.#answers(this.at) : null;
     this.painter.overlay.hover = hover;

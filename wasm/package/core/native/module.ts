@@ -121,24 +121,25 @@ function started(compiled: WebAssembly.Module): NativeModule {
     Object.assign(methods, { delete: guarded(free as Method, true), isDeleted });
   };
 
-  /** Has Embind register the calls of a part. */
+  /** Has Embind register the calls of a part, if there is room for all of them. */
   const register = (calls: () => void) => {
-    guarded(exports._expectRoom).call(nobody);
-    guarded(calls).call(nobody);
+    const registering = guarded(() => {
+      exports._expectRoom();
+      calls();
+    });
+    registering.call(nobody);
   };
-  /** What begins with a part the first time it is called, and guards what that has registered. */
-  const beginning = (begin: () => void, adopt: () => void) => {
+  const once = (begin: () => void) => {
     let hasBegun = false;
     return () => {
       if (hasBegun) return;
       begin();
       hasBegun = true;
-      adopt();
     };
   };
 
   // A first insertion and query take few calls; whoever looks for another one has the rest of core
-  // registered. Meanwhile what all handles inherit is found in `unregistered`.
+  // registered. Until then `unregistered` stands where Embind's handles inherit from.
   const methods = Diagram.prototype as Record<PropertyKey, unknown>;
   const inherited = Object.getPrototypeOf(methods) as object;
   const unregistered = new Proxy(inherited, {
@@ -150,58 +151,45 @@ function started(compiled: WebAssembly.Module): NativeModule {
   guardClass(Diagram);
   const first = Object.getOwnPropertyNames(methods);
   Object.setPrototypeOf(methods, unregistered);
-  const startCore = beginning(
-    () => {
-      expectStack();
-      Object.setPrototypeOf(methods, inherited);
-      try {
-        register(exports._registerCore);
-      } catch (error) {
-        Object.setPrototypeOf(methods, unregistered);
-        throw error;
-      }
-    },
-    () => {
-      guardMethods(Diagram, first);
-      guardClass(exports.Builder);
-      guardClass(exports.NearestFirst);
-    },
-  );
+  const startCore = once(() => {
+    expectStack();
+    Object.setPrototypeOf(methods, inherited); // Embind looks for what it registers
+    try {
+      register(exports._registerCore);
+    } catch (error) {
+      Object.setPrototypeOf(methods, unregistered);
+      throw error;
+    }
+    guardMethods(Diagram, first);
+    guardClass(exports.Builder);
+    guardClass(exports.NearestFirst);
+  });
 
-  let ofCore: readonly string[];
-  methods[kStartShapes] = beginning(
-    () => {
-      startCore();
-      ofCore = Object.keys(exports);
-      startPart("shapes");
-      register(exports._registerShapes);
-    },
-    () => {
-      for (const added of [exports.Region, exports.Reach, exports.Fitting]) guardClass(added);
-      methods.Drawing = exports.Drawing;
-      // The calls; what begins with a capital is a class or an enumeration.
-      for (const name of Object.keys(exports).filter(
-        (key) => !ofCore.includes(key) && /^[a-z]/.test(key),
-      )) {
-        const call = exports[name as keyof Exports] as Method;
-        methods[name] = guarded(function (this: Handle, a, b, c, d, e, f, g, h, i, j) {
-          return call(this as never, a, b, c, d, e, f, g, h, i, j);
-        });
-      }
-    },
-  );
-  const startSphere = beginning(
-    () => {
-      startCore();
-      startPart("sphere");
-      register(exports._registerSphere);
-    },
-    () => {
-      guardClass(exports.SphericalDiagram);
-      guardClass(exports.SphericalBuilder);
-      guardClass(exports.SphericalNearestFirst);
-    },
-  );
+  methods[kStartShapes] = once(() => {
+    startCore();
+    const ofCore = new Set(Object.keys(exports));
+    startPart("shapes");
+    register(exports._registerShapes);
+    for (const added of [exports.Region, exports.Reach, exports.Fitting]) guardClass(added);
+    methods.Drawing = exports.Drawing;
+    // The calls; what begins with a capital is a class or an enumeration.
+    for (const name of Object.keys(exports).filter(
+      (key) => !ofCore.has(key) && /^[a-z]/.test(key),
+    )) {
+      const call = exports[name as keyof Exports] as Method;
+      methods[name] = guarded(function (this: Handle, a, b, c, d, e, f, g, h, i, j) {
+        return call(this as never, a, b, c, d, e, f, g, h, i, j);
+      });
+    }
+  });
+  const startSphere = once(() => {
+    startCore();
+    startPart("sphere");
+    register(exports._registerSphere);
+    guardClass(exports.SphericalDiagram);
+    guardClass(exports.SphericalBuilder);
+    guardClass(exports.SphericalNearestFirst);
+  });
 
   const create = guarded(() => new Diagram());
   const createSpherical = guarded((radius: number) => new exports.SphericalDiagram(radius));
