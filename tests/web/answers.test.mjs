@@ -11,7 +11,7 @@ describeInBrowser("answers of figures", (open) => {
     const page = await open({ path: path(name), ready: "figures" });
     const whole = page.locator(`#${name}`);
     await whole.scrollIntoViewIfNeeded();
-    await page.waitForFunction((name) => window.figures.has(name), name, { polling: 100 });
+    await page.waitForFunction((name) => window.figures.has(name), name);
     const text = async (selector) => {
       await page.evaluate(() => new Promise(requestAnimationFrame));
       return (await whole.locator(selector).textContent()).replaceAll("\u202f", "");

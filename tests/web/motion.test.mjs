@@ -197,7 +197,7 @@ describeInBrowser("untouched and seen, after ten seconds no frame is asked for",
     const page = await openByHand("./", "figures");
     const drawn = () => page.evaluate(() => window.drawn);
     const run = (seconds) => page.evaluate((seconds) => byHand.run(seconds), seconds);
-    await page.waitForFunction(() => figures.has("twins"), undefined, { polling: 20 });
+    await page.waitForFunction(() => figures.has("twins"));
     await page.evaluate(() => {
       const twins = figures.get("twins");
       window.drawn = 0;
@@ -221,19 +221,19 @@ describeInBrowser("untouched and seen, after ten seconds no frame is asked for",
     // Led by the pointer it is drawn when that moves; when it has left, the tour begins again.
     const stage = await page.locator("[data-figure=twins] .stage").boundingBox();
     await page.mouse.move(stage.x + 50, stage.y + 60);
-    await page.waitForFunction(() => byHand.isAsked, undefined, { polling: 20 });
+    await page.waitForFunction(() => byHand.isAsked);
     expect(await run(1)).toBeLessThan(0.1);
     expect((await drawn()) - tour).toBeLessThan(4);
     await page.mouse.move(1, 1);
-    await page.waitForFunction(() => byHand.isAsked, undefined, { polling: 20 });
+    await page.waitForFunction(() => byHand.isAsked);
     expect(await run(2)).toBe(2);
 
     // Out of the window, the figure asks for no frame; seen again, it goes on.
     await page.evaluate(() => scrollTo(0, document.body.scrollHeight));
-    await page.waitForFunction(() => byHand.run(1 / 60) === 0, undefined, { polling: 20 });
+    await page.waitForFunction(() => byHand.run(1 / 60) === 0);
     const hidden = await drawn();
     await page.evaluate(() => scrollTo(0, 0));
-    await page.waitForFunction(() => byHand.isAsked, undefined, { polling: 20 });
+    await page.waitForFunction(() => byHand.isAsked);
     expect(await drawn()).toBe(hidden);
     expect(await run(20)).toBeLessThan(10);
     expect(await at()).toEqual(first);

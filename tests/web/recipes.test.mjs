@@ -49,7 +49,7 @@ async function narrowed(page, id) {
     Object.assign(document.getElementById("container").style, { width: "420px" }),
   );
   const isElsewhere = ([k, x]) => window.where()[k][0] < x - 50;
-  await page.waitForFunction(isElsewhere, [id, before[0]], { polling: 20 });
+  await page.waitForFunction(isElsewhere, [id, before[0]]);
   return page.evaluate((k) => window.where()[k], id);
 }
 
@@ -153,7 +153,7 @@ describeInBrowser("recipes", (open) => {
         const fills = circles.map((circle) => circle.getAttribute("fill") === "#e15759");
         return fills.flatMap((is, id) => (is ? [id] : [])).join() === expected;
       };
-      const expectRed = (...ids) => page.waitForFunction(isRed, ids.join(), { polling: 20 });
+      const expectRed = (...ids) => page.waitForFunction(isRed, ids.join());
       const d = () => page.locator("path").getAttribute("d");
       const drawn = await d();
       expect(html).toContain(drawn); // the same bits in Node
@@ -245,7 +245,7 @@ describeInBrowser("recipes", (open) => {
         const pointAt = ([x, y]) => page.mouse.move(box.x + x, box.y + y);
         const expectPicked = async (id, name) => {
           const isPicked = (id) => window.shown.picked() === id;
-          await page.waitForFunction(isPicked, id, { polling: 20 });
+          await page.waitForFunction(isPicked, id);
           if (name) await page.locator(`#container div:text-is("${name}")`).waitFor();
         };
         const places = await page.evaluate(() => window.where());
@@ -262,7 +262,7 @@ describeInBrowser("recipes", (open) => {
           const [r, , b] = context.getImageData(x, y, 1, 1).data;
           return r > 200 && b < 150;
         };
-        await page.waitForFunction(isRed, other, { polling: 20 });
+        await page.waitForFunction(isRed, other);
         await pointAt([other[0], other[1] + 25 + 30]);
         await expectPicked(-1);
         const moved = await narrowed(page, 3);
@@ -315,10 +315,10 @@ describeInBrowser("recipes", (open) => {
         return wrong;
       };`,
       async (page, box) => {
-        await page.waitForFunction(() => window.shown, null, { polling: 20 });
+        await page.waitForFunction(() => window.shown);
         const pointAt = ([x, y]) => page.mouse.move(box.x + x, box.y + y);
         const expectLit = async (name) => {
-          await page.waitForFunction((name) => window.lit() === name, name, { polling: 20 });
+          await page.waitForFunction((name) => window.lit() === name, name);
           if (name) await page.locator(`#vg-tooltip-element.visible:text-is("${name}")`).waitFor();
         };
         const [large, , inner, other] = await page.evaluate(() => window.where());
@@ -335,12 +335,12 @@ describeInBrowser("recipes", (open) => {
         // Zoomed in, and smaller, bubbles are elsewhere.
         await pointAt(large);
         await page.mouse.wheel(0, -200);
-        await page.waitForFunction(([x]) => window.where()[3][0] > x + 50, other, { polling: 20 });
+        await page.waitForFunction(([x]) => window.where()[3][0] > x + 50, other);
         await page.evaluate(() => {
           document.getElementById("container").style.width = "420px";
           dispatchEvent(new Event("resize"));
         });
-        await page.waitForFunction(([x]) => window.where()[3][0] < x - 50, other, { polling: 20 });
+        await page.waitForFunction(([x]) => window.where()[3][0] < x - 50, other);
         await pointAt([box.width + 5, box.height + 5]); // the tip would cover what it is asked for
         await expectLit("");
         await page.locator("#vg-tooltip-element:not(.visible)").waitFor({ state: "attached" });
@@ -383,7 +383,7 @@ describeInBrowser("recipes", (open) => {
         const pointAt = ([x, y]) => page.mouse.move(box.x + x, box.y + y);
         const at = (...which) => page.evaluate((which) => window.at(...which), which);
         const expectActive = (...which) =>
-          page.waitForFunction((which) => window.active() === which, which.join(), { polling: 20 });
+          page.waitForFunction((which) => window.active() === which, which.join());
         const [large, small, inner] = [await at(0, 0), await at(1, 0), await at(1, 1)];
         // In the large one, while the centre of the small one is nearer.
         expect(small[0] - large[0]).toBeLessThan(2 * 58);
@@ -433,11 +433,11 @@ describeWithWebGL("recipes with WebGL", (open) => {
       window.shown = nearestInDeck(container, bubbles);
       window.shown.deck.setProps({ onAfterRender: () => ++window.drawn });`,
       async (page, { x, y }) => {
-        await page.waitForFunction(() => window.drawn > 0, null, { polling: 20 });
+        await page.waitForFunction(() => window.drawn > 0);
         const pointAt = async (px, py, id) => {
           await page.mouse.move(x + px, y + py);
           const isPicked = (id) => window.shown.picked() === id;
-          await page.waitForFunction(isPicked, id, { polling: 20 });
+          await page.waitForFunction(isPicked, id);
         };
         await expectRed(page, x + 80, y + 60, false);
         await pointAt(145, 90, 0);
@@ -450,7 +450,7 @@ describeWithWebGL("recipes with WebGL", (open) => {
           window.shown.deck.setProps({ initialViewState: { target: [190, 90, 0], zoom: 2 } }),
         );
         const isZoomed = () => window.shown.deck.getViewports()[0].zoom === 2;
-        await page.waitForFunction(isZoomed, null, { polling: 20 });
+        await page.waitForFunction(isZoomed);
         await pointAt(350, 210 + 60 + 25, -1);
         await pointAt(350, 210 + 60 + 15, 1);
         await expectRed(page, x + 350, y + 210, true);
@@ -476,11 +476,11 @@ describeWithWebGL("recipes with WebGL", (open) => {
           [xaxis.d2p(x) + xaxis._offset, yaxis.d2p(y) + yaxis._offset]);
       };`,
       async (page, box) => {
-        await page.waitForFunction(() => window.shown, null, { polling: 20 });
+        await page.waitForFunction(() => window.shown);
         const pointAt = ([x, y]) => page.mouse.move(box.x + x, box.y + y);
         const expectPicked = async (id) => {
           const isPicked = (id) => window.shown.picked() === id;
-          await page.waitForFunction(isPicked, id, { polling: 20 });
+          await page.waitForFunction(isPicked, id);
           const label = page.locator("#container .hoverlayer .hovertext");
           if (id < 0) await label.waitFor({ state: "detached" });
           else await label.filter({ hasText: rows[id][3] }).waitFor();
@@ -493,7 +493,7 @@ describeWithWebGL("recipes with WebGL", (open) => {
         await expectPicked(2);
         await page.mouse.down();
         await page.mouse.up();
-        await page.waitForFunction(() => window.clicked === "2", null, { polling: 20 });
+        await page.waitForFunction(() => window.clicked === "2");
         await pointAt([other[0], other[1] + 25 + 15]);
         await expectPicked(3);
         await pointAt([other[0], other[1] + 25 + 25]);
@@ -527,18 +527,18 @@ describeWithWebGL("recipes with WebGL", (open) => {
         Object.assign(window, { shown });
       });`,
       async (page, box) => {
-        await page.waitForFunction(() => window.shown, null, { polling: 50 });
+        await page.waitForFunction(() => window.shown);
         const at = await page.evaluate(() => {
           const { x, y } = window.shown.map.project([4.9, 45.9]);
           return [x, y];
         });
         const [x, y] = [box.x + at[0], box.y + at[1]];
         const isLoaded = () => window.shown.map.loaded() && window.shown.lit() === -1;
-        await page.waitForFunction(isLoaded, null, { polling: 50 });
+        await page.waitForFunction(isLoaded);
         await expectRed(page, x, y, false);
         await page.mouse.move(x - 3, y);
         await page.mouse.move(x, y);
-        await page.waitForFunction(() => window.shown.lit() === 1, null, { polling: 20 });
+        await page.waitForFunction(() => window.shown.lit() === 1);
         await expectRed(page, x, y, true);
         const features = await page.evaluate(async () => {
           const { map, diagram } = window.shown;

@@ -40,7 +40,6 @@ describeInBrowser("steps", (open) => {
         await page.waitForFunction(
           ([figure, k]) => figures.get(figure).state.step === k,
           [name, step],
-          { polling: 50 },
         );
         expect(await stepOf(page, name)).toEqual([step, step]);
         // The picture stays in view, below the bar.

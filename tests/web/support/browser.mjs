@@ -102,21 +102,42 @@ export const describeWithWebGL = (name, define) =>
 export const describeInFirefox = (name, define, { colorScheme = "light" } = {}) =>
   describeWith("Firefox", findFirefox(), name, firefoxWith(colorScheme), define);
 
-const whenReady = (name) => window[name] !== undefined;
+/** How often a page is asked, in milliseconds. */
+const kPolling = 20;
+
+/** How long a page gets for a frame, in milliseconds, before a picture of it makes one. */
+const kFrameDue = 10_000;
 
 /**
- * Asked by the clock: by default Playwright asks with each frame, and a page that a busy machine
- * has not shown yet gets none. If it fails, it says what the page was doing.
+ * Playwright's `waitForFunction`, with two differences. It asks by the clock: by default Playwright
+ * asks with each frame, and a page that a busy machine has not shown yet gets none. From time to
+ * time it takes a picture, which makes a frame, for what waits for one in the page itself. If it
+ * fails, it says what the page was doing.
  */
-async function becomeReady(page, ready) {
-  try {
-    await page.waitForFunction(whenReady, ready, { polling: 20 });
-  } catch (cause) {
-    const state = () => [location.href, document.readyState, document.visibilityState];
-    const seen = await Promise.race([page.evaluate(state), timeout(5_000, ["no answer"])]);
-    throw new Error(`not ready: ${[...seen, ...page.errors].join(", ")}`, { cause });
-  }
+function waitByClock(page) {
+  const wait = page.waitForFunction.bind(page);
+  return async (isDone, argument, options) => {
+    const makeFrame = () => page.screenshot().catch(() => {}); // of a page that is left: none
+    const frames = setInterval(makeFrame, kFrameDue);
+    try {
+      return await wait(isDone, argument, { polling: kPolling, ...options });
+    } catch (cause) {
+      const state = () => [location.href, document.readyState, document.visibilityState];
+      const seen = await Promise.race([page.evaluate(state), timeout(5_000, ["no answer"])]);
+      throw new Error(`waited in vain: ${[...seen, ...page.errors].join(", ")}`, { cause });
+    } finally {
+      clearInterval(frames);
+    }
+  };
 }
+
+const whenReady = (name) => window[name] !== undefined;
+
+/** @param {string | (() => boolean)} ready a global's name, or what is asked in the page */
+const becomeReady = (page, ready) =>
+  typeof ready === "function"
+    ? page.waitForFunction(ready)
+    : page.waitForFunction(whenReady, ready);
 
 /**
  * What Chromium says when an address of the machine comes or goes, in a container say. It drops
@@ -169,8 +190,8 @@ async function sharedContext(browser, url) {
 
 /**
  * `path` is below the site's folder, and without one, or with what follows "#", the playground's;
- * `ready` the global that says that the page is; `site` is
- * another server's; `prepare` gets the page before it is opened; `isAlone`: in a process of its
+ * `ready` is the global that says that the page is ready, or a function that is asked in the page;
+ * `site` is another server's; `prepare` gets the page before it is opened; `isAlone`: in a process of its
  * own; other options are Playwright's. Motion is reduced, so that nothing moves by itself, unless
  * the options say otherwise.
  */
@@ -184,6 +205,7 @@ async function openPage(browser, url, options = {}) {
   const page = await context.newPage();
   if (!isOwn) await page.setViewportSize(viewport);
   page.errors = [];
+  page.waitForFunction = waitByClock(page);
   page.isDropped = false; // something, by the network: no error of the page's
   const fail = (text) => {
     if (text.includes(kNetworkChanged)) page.isDropped = true;
