@@ -68,7 +68,7 @@ export function nativePlan(files) {
 export const kTestsOfPage = {
   "": ["page", "data"],
   data: ["data", "windows"],
-  examples: ["examples", "globe", "recipes"],
+  examples: ["examples", "globe"],
   figure: ["site"],
   figures: ["site", "answers"],
   pages: ["site"],

@@ -14,8 +14,9 @@
 //   package      the package's tests in their long forms: thousands of treemaps and scenes
 //   page         the page's tests in their long forms: storms of 5000 events, axe in each theme on
 //                each screen
-//   strangers    the package in what is too large for every npm ci: other bundlers, other versions
-//                of TypeScript, edge runtimes, Deno, Vitest, Observable Framework (tests/strangers)
+//   strangers    the package in what is too large for every npm ci: charts, maps, frameworks, other
+//                bundlers, other versions of TypeScript, edge runtimes, Deno, Vitest, Observable
+//                Framework (tests/strangers)
 //   cluster      20 million points and a million circles by the workers of web/examples/cluster, a
 //                worker and Redis killed on the way; a hundred kills at random moments
 //   links        addresses outside of the project, where there is a network

@@ -3,6 +3,7 @@ import { fileURLToPath } from "node:url";
 
 const rootDir = fileURLToPath(new URL("..", import.meta.url));
 const common = { rootDir, roots: ["<rootDir>/tests"], testEnvironment: "node", transform: {} };
+const buildSite = "<rootDir>/tests/web/support/build.mjs";
 
 export default {
   rootDir,
@@ -12,12 +13,17 @@ export default {
     { ...common, displayName: "layers", testMatch: ["<rootDir>/tests/*.test.mjs"] },
     { ...common, displayName: "cluster", testMatch: ["<rootDir>/tests/cluster/**/*.test.mjs"] },
     { ...common, displayName: "debug", testMatch: ["<rootDir>/tests/debug/*.test.mjs"] },
-    { ...common, displayName: "strangers", testMatch: ["<rootDir>/tests/strangers/*.test.mjs"] },
+    {
+      ...common,
+      displayName: "strangers",
+      testMatch: ["<rootDir>/tests/strangers/*.test.mjs"],
+      globalSetup: buildSite,
+    },
     {
       ...common,
       displayName: "web",
       testMatch: ["<rootDir>/tests/web/**/*.test.mjs"],
-      globalSetup: "<rootDir>/tests/web/support/build.mjs",
+      globalSetup: buildSite,
     },
   ],
 };

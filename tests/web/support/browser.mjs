@@ -191,9 +191,9 @@ async function sharedContext(browser, url) {
 /**
  * `path` is below the site's folder, and without one, or with what follows "#", the playground's;
  * `ready` is the global that says that the page is ready, or a function that is asked in the page;
- * `site` is another server's; `prepare` gets the page before it is opened; `isAlone`: in a process of its
- * own; other options are Playwright's. Motion is reduced, so that nothing moves by itself, unless
- * the options say otherwise.
+ * `site` is another server's; `prepare` gets the page before it is opened; `isAlone`: in
+ * a process of its own; other options are Playwright's. Motion is reduced, so that nothing moves by
+ * itself, unless the options say otherwise.
  */
 async function openPage(browser, url, options = {}) {
   const { path = "", ready = "app", site = url, viewport = kViewport, ...more } = options;

@@ -1,11 +1,28 @@
-// The recipes of web/examples for frameworks, charts and maps, bundled as their users would, with
-// the real libraries, in the browser; those that a server renders, in Node, too.
-import { mkdirSync } from "node:fs";
+// The recipes of web/examples for frameworks, charts and maps: their types, and, bundled with the
+// real libraries as their users would, what they do in the browser; those that a server renders, in
+// Node, too.
+import { mkdirSync, writeFileSync } from "node:fs";
 import path from "node:path";
-import { expect, test } from "@jest/globals";
+import { beforeAll, expect, test } from "@jest/globals";
 import { root } from "../../tools/toolchain/folders.mjs";
-import { closePage, describeInBrowser, describeWithWebGL } from "./support/browser.mjs";
-import { bundledForPage, bundledModule, printedByServer } from "./support/recipes.mjs";
+import { run } from "../../tools/toolchain/process.mjs";
+import { closePage, describeInBrowser, describeWithWebGL } from "../web/support/browser.mjs";
+import {
+  bundledForPage,
+  bundledModule,
+  copyRecipes,
+  printedByServer,
+  recipes,
+} from "./support/recipes.mjs";
+
+beforeAll(copyRecipes);
+
+test("their types", () => {
+  const config = { extends: "../../web/examples/tsconfig.json", exclude: [] };
+  const file = path.join(recipes, "tsconfig.json");
+  writeFileSync(file, JSON.stringify({ ...config, include: ["*.js", "*.d.ts"] }));
+  run(process.execPath, [path.join(root, "node_modules/typescript/bin/tsc"), "-p", file]);
+});
 
 const pictures = path.join(root, "build/pictures");
 const bubbles = [

@@ -1,6 +1,6 @@
-// Recipes of web/examples, bundled by esbuild as their users would: for a page, or for Node, where
-// a server renders.
-import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
+// Recipes of web/examples beside the libraries of tests/strangers, bundled by esbuild as their
+// users would: for a page, or for Node, where a server renders.
+import { cpSync, mkdirSync, readFileSync, rmSync, symlinkSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { build } from "esbuild";
 import { compile, compileModule } from "svelte/compiler";
@@ -8,8 +8,20 @@ import { compileScript, parse } from "vue/compiler-sfc";
 import { root } from "../../../tools/toolchain/folders.mjs";
 import { capture } from "../../../tools/toolchain/process.mjs";
 
-const examples = path.join(root, "web/examples");
-const scratch = path.join(root, "build/recipes");
+const modules = path.join(root, "tests/strangers/node_modules");
+
+/** A copy of web/examples that finds the libraries. */
+export const recipes = path.join(root, "build/recipes");
+const programs = path.join(recipes, "programs");
+
+/** Makes the copy. */
+export function copyRecipes() {
+  rmSync(recipes, { recursive: true, force: true });
+  const filter = (from) => path.basename(from) !== "cluster";
+  cpSync(path.join(root, "web/examples"), recipes, { recursive: true, filter });
+  symlinkSync(modules, path.join(recipes, "node_modules"));
+  mkdirSync(programs);
+}
 
 /** Single-file components of Vue, as its plugins for bundlers compile them. */
 const vueFiles = (isServer) => ({
@@ -42,13 +54,9 @@ const kRequire =
   'import { createRequire } from "node:module"; const require = createRequire(import.meta.url);';
 
 async function bundled(program, { name = "program.jsx", isServer = false } = {}) {
-  // A file, so that the plugins see it; its imports are those of a file beside the examples.
-  mkdirSync(scratch, { recursive: true });
-  const file = path.join(scratch, `${isServer ? "server" : "browser"}_${name}`);
-  writeFileSync(
-    file,
-    program.replaceAll(/"\.\/(\w+\.\w+)"/g, (_, beside) => there(beside)),
-  );
+  // A file, so that the plugins see it; what it imports from "./" is an example.
+  const file = path.join(programs, `${isServer ? "server" : "browser"}_${name}`);
+  writeFileSync(file, program.replaceAll(/"\.\/(?=\w+\.\w+")/g, '"../'));
   const { outputFiles, warnings } = await build({
     entryPoints: [file],
     bundle: true,
@@ -71,7 +79,6 @@ async function bundled(program, { name = "program.jsx", isServer = false } = {})
       "apollonius-diagram/shapes": path.join(root, "dist/esm/shapes.js"),
       "apollonius-diagram/sphere": path.join(root, "dist/esm/sphere.js"),
     },
-    nodePaths: [path.join(root, "node_modules")],
     plugins: [vueFiles(isServer), svelteFiles(isServer)],
     logLevel: "silent",
   });
@@ -80,22 +87,20 @@ async function bundled(program, { name = "program.jsx", isServer = false } = {})
   return outputFiles[0].text;
 }
 
-const there = (file) => JSON.stringify(path.join(examples, file));
-
 /** A script for a page, of a program that may import examples ("./…") and what they import. */
 export const bundledForPage = (program, name) => bundled(program, { name });
 
 /** What such a program prints in Node. */
 export async function printedByServer(program, name) {
-  const file = path.join(scratch, `${name}.mjs`);
+  const file = path.join(programs, `${name}.mjs`);
   writeFileSync(file, await bundled(program, { name, isServer: true }));
   return capture(process.execPath, [file], { env: { NODE_OPTIONS: "" } });
 }
 
-/** A module of node_modules as one script, for a worker. */
+/** A module of a library as one script, for a worker. */
 export async function bundledModule(name) {
   const { outputFiles } = await build({
-    entryPoints: [path.join(root, "node_modules", name)],
+    entryPoints: [path.join(modules, name)],
     bundle: true,
     write: false,
     format: "iife",
