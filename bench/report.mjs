@@ -4,7 +4,6 @@ import { growthTables } from "./growth_table.mjs";
 import { kWarmUp } from "./plan.mjs";
 import { stagesTable, timesTable, visibleTable } from "./tables.mjs";
 import { tableOne } from "./table_one.mjs";
-import { targetsTable } from "./targets.mjs";
 import { treemapTable } from "./treemap_table.mjs";
 
 const titles = {
@@ -65,7 +64,6 @@ export function report({ machine, mode, records, disagreements, seconds }) {
     of("treemap").length > 0 ? [`## Treemaps\n\n${treemapTable(of("treemap"))}`] : [];
   const growth =
     of("growth").length > 0 ? [`## Growth of calls\n\n${growthTables(of("growth"))}`] : [];
-  const goals = targetsTable(records);
   const parts = [
     "# Benchmark results",
     Object.entries(machine)
@@ -77,7 +75,6 @@ export function report({ machine, mode, records, disagreements, seconds }) {
     ...(disagreements.length > 0
       ? [`**Contenders disagree**:\n${disagreements.map((text) => `- ${text}`).join("\n")}`]
       : []),
-    ...(goals ? [`## Goals\n\n${goals}`] : []),
     ...sections,
     ...fits,
     ...treemaps,

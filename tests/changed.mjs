@@ -73,13 +73,13 @@ export const kTestsOfPage = {
   figures: ["site", "answers"],
   pages: ["site"],
   recipes: ["recipe_cards"],
-  model: ["page", "defects"],
-  motion: ["motion", "defects_ui"],
-  picture: ["picture", "windows"],
-  sets: ["data", "files"],
+  model: ["page", "undo"],
+  motion: ["motion", "panels"],
+  picture: ["picture", "view", "windows"],
+  sets: ["data", "files", "loading"],
   shared: ["site", "page", "random_sets"],
-  tools: ["page", "motion", "tools", "defects_ui"],
-  ui: ["looks", "windows", "defects_ui"],
+  tools: ["drags", "keys", "motion", "page", "tools"],
+  ui: ["keys", "looks", "panels", "windows"],
 };
 
 /** Test files of the page to run, as patterns; empty: none. */

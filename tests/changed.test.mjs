@@ -27,6 +27,7 @@ test("a source without a test of its name runs its folder's program", () => {
 test("the page's tests are those of the folder", () => {
   expect(pagePlan(["web/playground/picture/view.ts"])).toEqual([
     "tests/web/picture.test.mjs",
+    "tests/web/view.test.mjs",
     "tests/web/windows.test.mjs",
   ]);
   expect(pagePlan(["web/playground/app.ts"])).toContain("tests/web/page.test.mjs");

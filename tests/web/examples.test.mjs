@@ -521,3 +521,36 @@ describeInBrowser("examples", (open) => {
     for (const name of names) expect(text).toMatch(new RegExp(`inExample\\(\\s*"${name}"`));
   });
 });
+
+const kPhone = { viewport: { width: 390, height: 780 }, hasTouch: true, isMobile: true };
+
+const boxOf = (page, selector) =>
+  page.$eval(selector, (node) => node.getBoundingClientRect().toJSON());
+const meets = (a, b) =>
+  a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
+
+describeInBrowser("examples on a phone", (open) => {
+  const openExample = (name) => open({ ...kPhone, path: `examples/#${name}`, ready: "example" });
+
+  test("a tap on the bubble chart picks", async () => {
+    const page = await openExample("bubble_chart");
+    const { left, top, width, height } = await boxOf(page, "figure svg");
+    const marked = () =>
+      page.$$eval("figure circle", (all) =>
+        all.findIndex((circle) => circle.getAttribute("fill-opacity") === "0.7"),
+      );
+    expect(await marked()).toBe(-1);
+    await page.touchscreen.tap(left + width / 2, top + height / 2);
+    expect(await marked()).toBeGreaterThanOrEqual(0);
+    await closePage(page);
+  });
+
+  test("labels can be read, and Copy covers no code", async () => {
+    const page = await openExample("capacities");
+    await page.waitForSelector("figure text");
+    const height = await page.$eval("figure text", (text) => text.getBoundingClientRect().height);
+    expect(height).toBeGreaterThan(9);
+    expect(meets(await boxOf(page, ".code button"), await boxOf(page, ".code pre"))).toBe(false);
+    await closePage(page);
+  });
+});

@@ -92,6 +92,22 @@ describeInBrowser("files", (open) => {
     });
   });
 
+  test("a dropped file is read, not opened in place of the page", async () => {
+    await page.evaluate(() => {
+      const data = new DataTransfer();
+      data.items.add(new File(["x,y,r\n1,2,3\n10,20,4\n"], "two.csv"));
+      const event = (type) =>
+        new DragEvent(type, { dataTransfer: data, bubbles: true, cancelable: true });
+      const results = ["dragover", "drop"].map((type) => document.body.dispatchEvent(event(type)));
+      if (results.some(Boolean)) throw new Error("the browser would open the file");
+    });
+    await page.waitForFunction(() => app.diagram.size === 2);
+    expect((await circlesOf(page)).map((row) => row.slice(1))).toEqual([
+      [1, 2, 3],
+      [10, 20, 4],
+    ]);
+  });
+
   describe("exports", () => {
     /** What is saved in this format, and its name. */
     const saved = async (format) => {

@@ -275,6 +275,25 @@ describeInBrowser("the page", (open) => {
       await settled(page);
       expect(await page.isVisible("#tag")).toBe(false);
     });
+
+    test("a click selects what hovering highlights, wherever it is inside a circle", async () => {
+      await show(page, "random", { n: "100", hidden: "30", seed: "3" });
+      let count = 0;
+      for (let k = 0; k < 100; k++) {
+        const [x, y] = [60 + ((k * 97) % 1160), 170 + ((k * 61) % 500)];
+        await page.mouse.move(x, y);
+        const [hovered, isInside] = await page.evaluate(() => [
+          app.pointer.hover?.id,
+          app.pointer.hover?.distance <= 0,
+        ]);
+        if (!isInside) continue;
+        count++;
+        await page.keyboard.press("Escape");
+        await page.mouse.click(x, y);
+        expect((await stateOf(page)).selected).toEqual([hovered]);
+      }
+      expect(count).toBeGreaterThan(12);
+    });
   });
 
   describe("keyboard", () => {
@@ -393,6 +412,15 @@ describeInBrowser("the page", (open) => {
       await page.click("#card-larger");
       expect((await page.evaluate(() => app.diagram.site(6).r)) / 50).toBeCloseTo(1.15, 2);
     });
+  });
+
+  test("links to elsewhere open beside the page", async () => {
+    await show(page, "cities");
+    const targets = await page.$$eval("a[href^=http]", (links) =>
+      links.map((link) => [link.target, link.rel]),
+    );
+    expect(targets.length).toBeGreaterThan(2);
+    for (const target of targets) expect(target).toEqual(["_blank", "noopener"]);
   });
 
   test("a hidden circle is seen to come to light when its cover goes", async () => {

@@ -1,8 +1,6 @@
-// What once broke or misled in the page's panels, keys and buttons. Each of these failed before it
-// was mended.
-import { describe, expect, test } from "@jest/globals";
+// Panels, buttons, the card, and what is said in words.
+import { expect, test } from "@jest/globals";
 import {
-  circlesOf,
   closePage,
   describeInBrowser,
   drag,
@@ -10,7 +8,6 @@ import {
   frames,
   settled,
   show,
-  sitesInReach,
   stateOf,
   whereIs,
 } from "./support/browser.mjs";
@@ -21,61 +18,6 @@ const boxOf = (page, selector) =>
   page.$eval(selector, (node) => node.getBoundingClientRect().toJSON());
 const meets = (a, b) =>
   a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
-
-describeInBrowser("keys", (open) => {
-  let page;
-  forEachPage(open, (opened) => {
-    page = opened;
-  });
-  const scale = () => page.evaluate(() => app.view.scale);
-
-  test("+ and − zoom wherever the focus is, with a selection too; [ and ] resize", async () => {
-    const [id] = await sitesInReach(page);
-    await page.evaluate((id) => app.selection.set([id]), id);
-    await settled(page);
-    const circles = await circlesOf(page);
-    for (const focus of ["#overlay", "#tool-fit", "#open-sets", "#open-code-2"]) {
-      await page.focus(focus);
-      const before = await scale();
-      await page.keyboard.press("+");
-      expect((await scale()) / before).toBeCloseTo(1.25, 6);
-      await page.keyboard.press("-");
-      expect(await scale()).toBeCloseTo(before, 6);
-    }
-    expect(await circlesOf(page)).toEqual(circles);
-    const { r } = await whereIs(page, id);
-    await page.keyboard.press("]");
-    expect((await whereIs(page, id)).r / r).toBeCloseTo(1.05, 1);
-    await page.keyboard.press("[");
-    expect((await whereIs(page, id)).r / r).toBeCloseTo(1, 1);
-    await page.click("#card-larger");
-    expect((await whereIs(page, id)).r).toBeGreaterThan(r);
-    expect(await page.textContent("#keys-text")).toMatch(/\[ \] make smaller and larger/);
-    expect(await page.textContent("#keys-text")).toMatch(/\+ − zoom/);
-  });
-
-  test("in text fields keys write, and Ctrl Z is the field's", async () => {
-    const [id] = await sitesInReach(page);
-    await page.evaluate((id) => app.selection.set([id]), id);
-    await page.evaluate(() => app.edits.grow(1.5));
-    await settled(page);
-    const circles = await circlesOf(page);
-    const before = await scale();
-    await page.click("#card-x");
-    await page.keyboard.type("7-");
-    await page.keyboard.press("Control+z");
-    await page.keyboard.press("Escape");
-    await page.click("#open-sets");
-    await page.click("#paste");
-    await page.keyboard.type("1+[]");
-    await page.keyboard.press("Control+z");
-    expect(await scale()).toBe(before);
-    await page.keyboard.press("Escape");
-    expect((await circlesOf(page)).find(([other]) => other === id)[3]).toBe(
-      circles.find(([other]) => other === id)[3],
-    );
-  });
-});
 
 describeInBrowser("what runs", (open) => {
   let page;
@@ -253,33 +195,5 @@ describeInBrowser("what is told", (open) => {
     );
     expect(cut).toEqual([]);
     expect(await page.$$eval("[data-set=grid] circle", (all) => all.length)).toBe(96);
-  });
-});
-
-describe("gallery", () => {
-  describeInBrowser("on a phone", (open) => {
-    const openExample = (name) => open({ ...kPhone, path: `examples/#${name}`, ready: "example" });
-
-    test("a tap on the bubble chart picks", async () => {
-      const page = await openExample("bubble_chart");
-      const { left, top, width, height } = await boxOf(page, "figure svg");
-      const marked = () =>
-        page.$$eval("figure circle", (all) =>
-          all.findIndex((circle) => circle.getAttribute("fill-opacity") === "0.7"),
-        );
-      expect(await marked()).toBe(-1);
-      await page.touchscreen.tap(left + width / 2, top + height / 2);
-      expect(await marked()).toBeGreaterThanOrEqual(0);
-      await closePage(page);
-    });
-
-    test("labels can be read, and Copy covers no code", async () => {
-      const page = await openExample("capacities");
-      await page.waitForSelector("figure text");
-      const height = await page.$eval("figure text", (text) => text.getBoundingClientRect().height);
-      expect(height).toBeGreaterThan(9);
-      expect(meets(await boxOf(page, ".code button"), await boxOf(page, ".code pre"))).toBe(false);
-      await closePage(page);
-    });
   });
 });
