@@ -1,5 +1,5 @@
-// What the documents quote of a benchmark: medians in microseconds per circle or query, and ratios
-// of them.
+// The figures of a benchmark that documents quote: medians in microseconds per circle or query, and
+// ratios of them.
 
 /** @param {{ machine: any, records: any[] }} result of a whole run */
 export function figuresOf({ machine, records }) {

@@ -1,5 +1,5 @@
-// What is measured: scenes, each one set with the operations on it, in order. A scene is run
-// `rounds` times, and in each round every step asks its contenders in turn; `rounds` of a step
+// The plan of measurements: scenes, each one set with the operations on it, in order. A scene is
+// run `rounds` times, and in each round every step asks its contenders in turn; `rounds` of a step
 // limits how often a slow one takes part.
 import { availableParallelism } from "node:os";
 import { countCities } from "./cities.mjs";
@@ -421,7 +421,7 @@ function growth({ seconds, growth: { n, of } }) {
   ];
 }
 
-/** What a call costs that does nothing else, and the heap. */
+/** The cost of a call that does nothing else, and the heap. */
 function border({ rounds, seconds, memory, churn }) {
   return [
     {

@@ -1,7 +1,7 @@
 # GoogleTest executables from tests/: each folder that holds *_test.cpp files becomes one
 # executable, `number_tests` for tests/number and so on; files of tests/ itself become `core_tests`.
-# The same sources are built natively and for wasm: there those named in WasmTests.cmake, or all
-# with -DAPOLLONIUS_ALL_WASM_TESTS=ON (`npm run check -- wasm`).
+# All sources are built natively; for wasm those named in WasmTests.cmake, or all with
+# -DAPOLLONIUS_ALL_WASM_TESTS=ON (`npm run check -- wasm`).
 #
 # Natively CTest lists every single test. As wasm it lists one entry an executable: a Node process
 # for each test would cost more than the tests.
@@ -28,7 +28,7 @@ endif()
 add_subdirectory("${APOLLONIUS_GOOGLETEST}" "${CMAKE_CURRENT_BINARY_DIR}/googletest"
   EXCLUDE_FROM_ALL SYSTEM)
 
-# What all test executables share: generators, oracle, and where the data files are.
+# Shared by all test executables: generators, oracle, and where the data files are.
 add_library(apollonius_test_support STATIC ${support_files})
 target_include_directories(apollonius_test_support PUBLIC "${CMAKE_CURRENT_SOURCE_DIR}" "${tests}")
 target_compile_definitions(apollonius_test_support PUBLIC APOLLONIUS_TEST_DATA="${tests}/data")
@@ -67,8 +67,8 @@ foreach(folder IN LISTS folders)
   target_link_libraries(${target} PRIVATE apollonius_test_support gtest_main)
   # Compiling is two thirds of these steps of a whole run; what runs long is in the libraries.
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
-  # Of that, reading gtest.h was a third natively and two thirds as wasm; the other headers are a
-  # third of the rest.
+  # Reading gtest.h was a third of that time natively and two thirds as wasm; the other headers are
+  # a third of the rest.
   if(folder STREQUAL first)
     target_precompile_headers(${target} PRIVATE <gtest/gtest.h> <algorithm> <cmath> <span>)
   else()
@@ -93,7 +93,7 @@ if(NOT EMSCRIPTEN)
     -DWORK=${CMAKE_CURRENT_BINARY_DIR}/flags -DCXX=${CMAKE_CXX_COMPILER} -DOBJDUMP=${CMAKE_OBJDUMP}
     -DLIBRARY=$<TARGET_FILE:apollonius> -P "${tests}/flags/check.cmake")
   if(APOLLONIUS_INSTALL)
-    # What the library was built with and a program that links it needs as well.
+    # Flags of the library that a program that links it needs, too.
     set(flags ${CMAKE_CXX_FLAGS})
     if(APOLLONIUS_SANITIZE)
       list(APPEND flags -fsanitize=address,undefined)

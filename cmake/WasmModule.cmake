@@ -10,7 +10,7 @@ target_link_libraries(apollonius_wasm PRIVATE apollonius apollonius_flags)
 set_target_properties(apollonius_wasm PROPERTIES OUTPUT_NAME apollonius SUFFIX .mjs)
 target_link_options(apollonius_wasm PRIVATE
   # -O3 and -Os shorten names, among which tests/wasm/support/trapping.mjs finds its way.
-  # Of two equal functions, each stays in its part (tools/toolchain/split_wasm.mjs).
+  # Two equal functions stay each in its part (tools/toolchain/split_wasm.mjs).
   -lembind -O2 -sBINARYEN_EXTRA_PASSES=-O3,--converge,--skip-pass=duplicate-function-elimination
   -sEMBIND_AOT -sDYNAMIC_EXECUTION=0   # no code made from strings, which a strict policy forbids
   --emit-tsd=apollonius.d.mts

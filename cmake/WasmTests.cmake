@@ -1,8 +1,8 @@
 # The tests that also run as WebAssembly in every `npm test`: those whose answer may differ there.
-# What computes (other instructions for the same doubles, vectors of two), what needs memory (32-bit
-# sizes, another allocator), what is counted without the shadow check of the native build, and
-# recorded hashes. Histories of the diagram run in Jest on the module that is shipped. `npm run
-# check -- wasm` runs all.
+# Tests that compute (other instructions for the same doubles, vectors of two), that need memory
+# (32-bit sizes, another allocator), that count without the shadow check of the native build, and
+# that compare recorded hashes. Histories of the diagram run in Jest on the module that is shipped.
+# `npm run check -- wasm` runs all.
 set(wasm_tests
   # Numbers and predicates
   number/approx number/ball number/dyadic number/fixed_integer number/fp number/root_sign

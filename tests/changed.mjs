@@ -1,5 +1,5 @@
-// What `npm test -- changed` runs: the tests nearest to what has changed since HEAD, so that a
-// change is tried in a minute. `npm test` says whether it is right.
+// `npm test -- changed` runs the tests nearest to what has changed since HEAD, so that a change is
+// tried in a minute. `npm test` says whether it is right.
 import { existsSync, readdirSync, readFileSync } from "node:fs";
 import path from "node:path";
 import { root } from "../tools/toolchain/folders.mjs";
@@ -109,7 +109,7 @@ const kSlowOfPackage = [
   "traps",
 ];
 
-/** What documents are made of and tried by: of their files, the names of the tests. */
+/** Files that documents are made of or tried by, with the names of the tests. */
 const kTestsOfDocuments = [
   [/^README\.md$/, "readme"],
   [/^(docs\/examples\/|tools\/(examples|api_reference)\.mjs$)/, "(examples|reference)"],

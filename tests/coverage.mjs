@@ -7,9 +7,9 @@
 // reaches (tests/predicate calls each stage) counts: that is how stages are tested.
 //
 // A branch is one outcome of one condition; what several instances of a template run is added up.
-// What stays uncovered has its reason in tests/check/uncovered.json, found by its text; what has
-// none is printed. A reason that is no longer needed makes the command fail. The tests themselves
-// do not count. A run writes docs/figures.json.
+// A line that stays uncovered has its reason in tests/check/uncovered.json, found by its text; a
+// line without one is printed. A reason that is no longer needed makes the command fail. The tests
+// themselves do not count. A run writes docs/figures.json.
 //
 //   npm run coverage -- --all      prints what has a reason, too
 //   npm run coverage -- --reuse    looks again at the counts of the last run
@@ -111,7 +111,7 @@ function measure(folder, programs, profiles) {
     .sort((a, b) => a.name.localeCompare(b.name));
 }
 
-/** What of a file did not run: [line, what, column of the condition]. */
+/** Returns the parts of a file that did not run: [line, what, column of the condition]. */
 function uncoveredOf({ lines, conditions }) {
   const found = [...lines].filter(([, count]) => count === 0).map(([line]) => [line, "not run"]);
   for (const [line, column, yes, no] of conditions) {

@@ -258,7 +258,7 @@ const importedFirst = [
 ];
 const imported = [...importedFirst, /\bawait import\(\s*["']([^"']+)["']/g];
 
-/** What a file includes or imports, in the words of its own lines. */
+/** Returns what a file includes or imports, in the words of its own lines. */
 function dependencies(file, patterns = /\.(cpp|h)$/.test(file) ? included : imported) {
   const text = readFileSync(path.join(root, file), "utf8");
   return patterns.flatMap((pattern) => [...text.matchAll(pattern)].map((match) => match[1]));

@@ -33,7 +33,7 @@ import { installPacked } from "./wasm/support/install_packed.mjs";
 
 const wanted = process.argv.slice(2);
 const at = wanted.indexOf("-t");
-/** What the names of the tests that are run have in them; undefined: all. */
+/** Part of the names of the tests that are run; undefined: all. */
 const name = at < 0 ? undefined : wanted.splice(at, 2)[1];
 
 /** The programs themselves: as wasm, CTest knows no single tests. */

@@ -45,7 +45,7 @@ function runScript(name, script, args) {
 function startSetUp(names) {
   const wanted = new Set(names.flatMap((name) => needs[name]));
   const set = (part) => runScript(`set-up ${part}`, "tools/toolchain/setup.mjs", [part]);
-  // What fails here fails again, and says why, in the step that needs it.
+  // A failure here comes again, and says why, in the step that needs it.
   const ready = { npm: wanted.has("npm") ? set("npm") : undefined };
   let last = Promise.resolve();
   for (const part of apt.filter((name) => wanted.has(name))) {

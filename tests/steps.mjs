@@ -1,4 +1,4 @@
-// What the commands of named steps share (`npm test`, `npm run check`): running test programs, and
+// Shared by the commands of named steps (`npm test`, `npm run check`): running test programs, and
 // steps one after another. All steps run, also after one that failed; a table at the end says what
 // came of each.
 import { spawn } from "node:child_process";

@@ -236,7 +236,7 @@ function describe({ name, declaration, additions }, checker) {
     else if (!member.body && !ts.isPropertySignature(member))
       overloaded.code += `\n${described.code}`;
   }
-  // Of several signatures, the one with the body is not public.
+  // The one of several signatures that has the body is not public.
   const signatures = [declaration, ...additions].filter((one) => !one.body || one === declaration);
   const parameters = (declaration.typeParameters ?? []).map((parameter) => parameter.getText());
   return {
@@ -251,7 +251,7 @@ function describe({ name, declaration, additions }, checker) {
 
 const fenced = (code, language = "ts") => `\`\`\`${language}\n${code.trimEnd()}\n\`\`\`\n`;
 
-/** What headings of docs/examples call a part of the reference; its own may go on with types. */
+/** The name of a part in headings of docs/examples; its own may go on with types. */
 const nameOfPart = ({ kind, name }) => `${kind} ${name}`;
 const headingOfPart = ({ kind, title }) => `${kind} ${title.replaceAll("<", "\\<")}`;
 
@@ -272,9 +272,8 @@ export function callsOf({ described }) {
 }
 
 /**
- * What docs/examples shows below each call of an entry: { text, part }, `part` naming the part of
- * the reference that has what the example begins with. What is about several calls is below the
- * last.
+ * The examples below each call of an entry: { text, part }, `part` naming the part of the reference
+ * that has what the example begins with. What is about several calls is below the last.
  */
 function examplesByCall({ entry, described }, files) {
   const order = described.flatMap((part) => [nameOfPart(part), ...callsOf({ described: [part] })]);
@@ -301,12 +300,12 @@ function examplesFor(one) {
     return `[${name}](#${slug(headingOfPart(part))})`;
   };
   return {
-    /** What the examples of a part begin with. */
+    /** The code that the examples of a part begin with. */
     beginning(part) {
       const { setUp } = files.find((file) => file.part === nameOfPart(part)) ?? {};
       return setUp ? [`The examples of this ${part.kind} begin with:\n`, fenced(setUp, "js")] : [];
     },
-    /** What is below a heading of a part. */
+    /** The text below a heading of a part. */
     of(call, part) {
       if (!byCall.has(call)) return [];
       const { text, part: first } = byCall.get(call);

@@ -22,7 +22,7 @@ const source = path.join(root, "web");
 export const builtSite = path.join(root, "build/web");
 const copied = ["examples", "data", "icon.svg"]; // of web/
 const kRandomSets = "shared/random_sets";
-/** What every page needs comes in one piece, and random circles with it: they are small. */
+/** Modules that every page needs come in one piece, and random circles with it: they are small. */
 const kShared =
   /dist\/esm\/(wasm|errors|(core|shapes)\/part)\.js|web\/(shared\/(package|theme|canvas|dom|errors|input|pace)|figure\/(figure|pen))\.ts|preload-helper/;
 const isShared = (module) => kShared.test(module) || module.includes(`${kRandomSets}.ts`);

@@ -18,7 +18,7 @@ export const kQuotingDocuments = ["README.md", "web/pages/home.md", "web/pages/c
 
 export const readFigures = () => JSON.parse(readFileSync(file, "utf8"));
 
-/** What is measured: the commit, and whether sources differ from it. */
+/** The commit that is measured, and whether sources differ from it. */
 export function measuredCommit() {
   const hash = capture("git", ["rev-parse", "--short", "HEAD"], { cwd: root }).trim();
   const paths = ["src", "wasm", "tests", "bench", "package.json"];

@@ -28,7 +28,7 @@ const checks = {
     run("npm", ["publish", "--dry-run", "--ignore-scripts"], { cwd: root }),
 };
 
-/** What no program can do here. */
+/** Lists what no program can do here. */
 function forAPerson() {
   const { version, homepage } = JSON.parse(read("package.json"));
   return [

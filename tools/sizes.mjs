@@ -7,7 +7,7 @@ import { brotliCompressSync, constants } from "node:zlib";
 import { recordFigures, updateQuotations } from "./figures.mjs";
 import { root } from "./toolchain/folders.mjs";
 
-/** What the package is used for: the program, and how many bytes its bundle may have at most. */
+/** Uses of the package: the program, and how many bytes its bundle may have at most. */
 export const uses = {
   core: {
     code:

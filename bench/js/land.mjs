@@ -23,7 +23,7 @@ export function landRings() {
     .map((ring) => ring.map(([longitude, latitude]) => equalArea(longitude, latitude)));
 }
 
-/** The same, in the box of some sites. */
+/** Returns the rings of the land, moved into the box of some sites. */
 export function landRingsIn([xmin, ymin, xmax, ymax]) {
   const [halfWidth, halfHeight] = equalArea(180, 90);
   const moved = ([x, y]) => [

@@ -53,7 +53,7 @@ async function repeat(steps, act) {
   for (let k = 0; k < steps && performance.now() - start < kLongest; k++) await act(k);
 }
 
-/** The same movements on either page. */
+/** Measures either page with equal movements. */
 async function measure(page, size) {
   const { mouse } = page;
   const rows = {};

@@ -1,4 +1,4 @@
-// What the JavaScript contenders share: reading a set, and timing an operation in samples. As
+// Shared by the JavaScript contenders: reading a set, and timing an operation in samples. As
 // bench/native/contender.h.
 import { existsSync, readFileSync } from "node:fs";
 

@@ -1,5 +1,5 @@
-// What cells are to have, the same for every contender: uniform between a half and one and a half,
-// or heavy-tailed (lognormal, sigma 1.5: of 10 000 the largest is some 80 000 times the smallest).
+// The shares that cells are to have, equal for every contender: uniform between 0.5 and 1.5, or
+// heavy-tailed (lognormal, sigma 1.5: of 10 000 the largest is some 80 000 times the smallest).
 
 const kSigma = 1.5;
 

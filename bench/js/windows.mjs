@@ -5,7 +5,7 @@ import { holedRings, landRings, landRingsIn, starRing, thousandSegments } from "
 import { boxOf, readDoubles, sampled } from "./sampling.mjs";
 import { deviationOf, sharesOf } from "./shares.mjs";
 
-/** Of the land, which has its place among real cities. */
+/** The rings of the land, moved into the box unless the sites are real cities. */
 const landFor = ({ set }, box) => (/\bcities-/.test(set) ? landRings() : landRingsIn(box));
 
 /** @param {typeof import("apollonius-diagram").Diagram} Diagram */
@@ -53,7 +53,7 @@ export function windowOperations(Diagram) {
       const window = windowOf(request, boxOf(sites, 3));
       let diagram;
       let found;
-      // What has no part of a window with equal weights cannot get one.
+      // A cell without a part of a window at equal weights cannot get one.
       const start = new Diagram(sites);
       const areas = start.voronoi(window).cellAreas();
       const inside = sites.filter((_, k) => areas[Math.floor(k / 3)] > 0);

@@ -1,4 +1,4 @@
-// What the C++ contenders share: reading a set, timing an operation in samples, and answering
+// Shared by the C++ contenders: reading a set, timing an operation in samples, and answering
 // requests.
 //
 // A contender is a program that reads one request a line, and answers each with one line of JSON:

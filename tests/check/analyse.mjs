@@ -14,7 +14,7 @@ const sources = () =>
     .map((name) => `src/${name}`)
     .sort();
 
-/** What a program prints, whatever its exit code. */
+/** Returns the output of a program, whatever its exit code. */
 function output(program, args) {
   return new Promise((resolve, reject) => {
     const child = spawn(program, args, { cwd: root, stdio: ["ignore", "pipe", "pipe"] });

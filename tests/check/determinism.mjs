@@ -29,10 +29,10 @@ function configurations(only) {
     .filter(({ name }) => !only || name.includes(only));
 }
 
-/** What a build's tests print: the hashes in one line. */
+/** Returns the hashes that a build's tests print, in one line. */
 function hashes({ name, compiler, flags, emulator }) {
   say(`--- ${name}`);
-  // Of no named type, so that no flags come in but those that are asked for.
+  // The build type has no name, so that no flags come in but those that are asked for.
   const folder = buildWithCmake(
     `determinism/${name}`,
     {

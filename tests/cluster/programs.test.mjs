@@ -1,5 +1,5 @@
-// What the four programs say when they are asked, or get what they cannot take: one sentence or the
-// usage, never a stack trace, and exit code 1 for an error.
+// The four programs answer --help, and wrong input, with one sentence or the usage, never a stack
+// trace; an error ends them with exit code 1.
 import { mkdirSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { afterEach, describe, expect, test } from "@jest/globals";

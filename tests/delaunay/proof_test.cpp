@@ -41,7 +41,7 @@ DelaunayGraph graphOf(const std::vector<Site>& sites) {
   return diagram;
 }
 
-/// What lies across each side of each face. Of a Delaunay graph the keys are different from each
+/// The sites across each side of each face. In a Delaunay graph the keys are different from each
 /// other.
 using Adjacency = std::multimap<std::array<std::size_t, 3>, std::size_t>;
 Adjacency adjacencyOf(const Graph& graph) {

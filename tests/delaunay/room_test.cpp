@@ -1,4 +1,4 @@
-// What has reserved room allocates nothing: so an operation can be undone where memory ran out.
+// Reserved room is never allocated again: so an operation can be undone where memory ran out.
 #include <gtest/gtest.h>
 
 #include <cstddef>

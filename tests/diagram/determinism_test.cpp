@@ -1,7 +1,7 @@
-// The same bits everywhere: one fixed sequence of operations, and all output bits of it in two
-// hashes that are written down here. Natively at any optimisation level, with any compiler, and as
-// wasm they must come out the same; a build that differs (a fused multiply-add, x87, another libm
-// in the core) fails here.
+// Equal bits everywhere: one fixed sequence of operations, and all output bits of it in two hashes
+// that are written down here. Natively at any optimisation level, with any compiler, and as wasm
+// they must come out the same; a build that differs (a fused multiply-add, x87, another libm in the
+// core) fails here.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,6 +1,6 @@
-// What hidden sites cost, counted in questions to the predicates: removing the visible one of many
-// nested sites, covering and uncovering, and asking around a point. Sizes n and 2n: what grows with
-// n in each step would be quadratic in all.
+// The cost of hidden sites, counted in questions to the predicates: removing the visible one of
+// many nested sites, covering and uncovering, and asking around a point. Sizes n and 2n: what grows
+// with n in each step would be quadratic in all.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -28,7 +28,7 @@ using test::questions;
 using test::Random;
 using test::runs;
 
-/// Of what is done.
+/// Counts the questions that a run asks.
 double questionsOf(const std::function<void()>& run) {
   const double before = questions();
   run();

@@ -1,4 +1,4 @@
-// What levels() says of the hierarchy, after any history; and predicateCounts().
+// levels() describes the hierarchy, after any history; and predicateCounts().
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -128,9 +128,10 @@ Diagram make(const Circles& circles, Origin origin) {
   return diagram;
 }
 
-/// What became of a diagram on which an operation ran while the heap refused something; empty if
-/// that is as it should be. `before` and `after` are the states without and with the operation;
-/// `grows`: whether it shall grow by many sites afterwards, which takes longer than all the rest.
+/// Says what is wrong with a diagram on which an operation ran while the heap refused something;
+/// empty if that is as it should be. `before` and `after` are the states without and with the
+/// operation; `grows`: whether it shall grow by many sites afterwards, which takes longer than all
+/// the rest.
 std::string verdict(Diagram& diagram, const std::function<Error(Diagram&)>& run, Error error,
                     const State& before, const State& after, bool grows) {
   if (error == Error::kOutOfMemory) {

@@ -58,7 +58,7 @@ TEST(Regressions, TextFormatKeepsEveryBit) {
   EXPECT_EQ(toText(read), toText(history));
 }
 
-/// Of calls that hold several operations, what is left stays one call.
+/// The operations of a call that are left stay one call.
 TEST(Regressions, ShorteningKeepsCallsTogether) {
   std::string error;
   const History history = fromText(

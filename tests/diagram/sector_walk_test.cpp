@@ -87,7 +87,7 @@ Circles linedGiant(Random& random, std::size_t n) {
   return circles;
 }
 
-/// The same with the giant's weight one unit in the last place off that of a ring of points about
+/// As before, with the giant's weight one unit in the last place off that of a ring of points about
 /// it.
 Circles ringAtTheRim(Random& random, std::size_t n) {
   Circles circles{{0.1, 0.1, 3}};
@@ -158,7 +158,7 @@ TEST(SectorWalk, FifteenIntegerCircles) {
   EXPECT_EQ(id, 12u);
 }
 
-// What the walk is for: its work at a giant does not grow with the giant's degree.
+// The purpose of the walk: its work at a giant does not grow with the giant's degree.
 TEST(SectorWalk, AsksFewNeighborsOfAGiant) {
   const auto directionsAsked = [](std::size_t n) {
     Random random(1812);

@@ -1,4 +1,4 @@
-// What a user can see of a diagram, to be compared before and after.
+// The state of a diagram that a user can see, to be compared before and after.
 #pragma once
 
 #include <gtest/gtest.h>

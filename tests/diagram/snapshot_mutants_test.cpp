@@ -77,7 +77,8 @@ TEST(SnapshotMutants, OfAnyoneAreRefusedOrRight) {
   EXPECT_GT(refused, runs(all / 4));
 }
 
-// What validate() says of trusted bytes is what decides whether they are accepted from anyone.
+// Bytes are accepted from anyone exactly if validate() accepts the diagram that they make if
+// trusted.
 TEST(SnapshotMutants, ValidateAndFromBytesAgree) {
   const std::vector<Bytes> all = originals();
   int wrong = 0;

@@ -371,7 +371,7 @@ TEST(Snapshot, SheetsOnTopOfEachOtherAreFoundOut) {
   for (int k = 0; k < kSpokes; ++k) circles.push_back({kX[k % 5] + k / 5, kY[k % 5] + k / 5, 0});
   Diagram plain = made(circles);
   Bytes bytes = saved(plain);
-  // The same counts are needed: a wheel of n spokes has 2n faces, as has any triangulation of n + 2
+  // Equal counts are needed: a wheel of n spokes has 2n faces, as has any triangulation of n + 2
   // vertices.
   const std::size_t slots = circles.size();
   const std::size_t twins = 4 * (8 + 6 * slots + slots + 2);

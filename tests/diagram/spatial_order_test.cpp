@@ -79,8 +79,8 @@ TEST(HilbertOrder, AnOutlierLeavesTheOthersInTheirOrder) {
   }
 }
 
-/// What is ordered in a cell of its own is ordered as it is alone: a line, and points of which an
-/// odd number of digits differs, as the sort goes to and fro between two arrays.
+/// Points that share a cell are ordered as they are alone: a line, and points of which an odd
+/// number of digits differs, as the sort goes to and fro between two arrays.
 TEST(HilbertOrder, LinesAndPairsBesideAnOutlierAreOrderedAsTheyAreAlone) {
   Random random(8);
   constexpr std::uint32_t kPoints = 40;

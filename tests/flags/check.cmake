@@ -1,4 +1,4 @@
-# What happens to flags that change arithmetic: a CTest script.
+# Flags that change arithmetic are refused: a CTest script.
 #
 #   cmake -DROOT=… -DWORK=… -DCXX=… -P check.cmake
 #

@@ -199,7 +199,7 @@ class Checker {
     expect(areaOf(rings) >= -rounding_ * whole_, "clockwise rings", id);
   }
 
-  /// The same with a corner of the window at the origin, where that is exact.
+  /// Compares with areas after a corner of the window moved to the origin, where that is exact.
   void checkMoved(const std::vector<double>& areas) {
     bool isExact = true;
     const auto moved = [&](double value, double by) {

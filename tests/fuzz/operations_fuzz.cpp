@@ -130,7 +130,7 @@ class Decoder {
     }
   }
 
-  /// Of a generator, mostly a few dozen, seldom as many as make a level, or two.
+  /// Inserts a set of a generator, mostly a few dozen, seldom as many as make a level, or two.
   void insertSet() {
     const NamedGenerator& generator = corpus()[bytes_.next() % corpus().size()];
     const std::uint8_t size = bytes_.next();

@@ -89,7 +89,7 @@ void run(Bytes bytes) {
   take(voronoi.cellPerimeters(others));
   const Bounds box = region.box();
   const double whole = areaOf(box);
-  // What is far away or large is rounded by as much of it.
+  // Rounding grows with distance and size.
   double most = 0;
   for (const double x : coordinates) most = std::max(most, std::abs(x));
   for (const Circle& c : circles)

@@ -258,7 +258,7 @@ if (import.meta.url === pathToFileURL(process.argv[1]).href) {
         for (const child of running) child.kill("SIGINT"); // libFuzzer says its figures and ends
       });
     }
-    // What runs is a copy, so that a build beside it does no harm.
+    // A copy is run, so that a build beside it does no harm.
     const copy = path.join(home, "running", String(process.pid));
     mkdirSync(copy, { recursive: true });
     for (const target of targets) cpSync(path.join(folder, target), path.join(copy, target));

@@ -44,7 +44,7 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t s
   using namespace apollonius::test;
   std::vector<std::uint8_t> bytes(data, data + size);
   apollonius::Diagram diagram;
-  // What is no snapshot at all has no parts.
+  // Random bytes have no parts.
   if (seed % 8 == 0 || diagram.fromBytes(withChecksum(bytes), apollonius::Source::kTrusted) !=
                            apollonius::Error::kNone) {
     return LLVMFuzzerMutate(data, size, most);

@@ -241,7 +241,7 @@ class Checker {
     diagram_ = std::move(restored);
   }
 
-  /// Of bytes that are changed, with the right checksum: refused, or a sound diagram.
+  /// Restores changed bytes with the right checksum: refused, or a sound diagram.
   void restoreFalse() {
     std::vector<std::uint8_t> bytes;
     take(diagram_.toBytes(bytes));

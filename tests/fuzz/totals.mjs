@@ -1,4 +1,4 @@
-// What fuzzing has run, added up over all runs.
+// Totals of all fuzzing runs.
 import { recordFigures } from "../../tools/figures.mjs";
 
 /** Adds a slice to docs/figures.json: { executions, seconds, findings }. */

@@ -68,7 +68,7 @@ Ring square(double x, double y, double r) {
 }
 Ring diamond(double x, double y, double r) { return {x - r, y, x, y - r, x + r, y, x, y + r}; }
 
-/// Of integers: sides overlap, pass points, and are vertical.
+/// Integer coordinates: sides overlap, pass points, and are vertical.
 TEST(Arrangement, SweptAsInAGridOnALattice) {
   Random random(911);
   for (int run = 0; run < runs(600); ++run) {

@@ -124,7 +124,7 @@ TEST(Bisector, LinesAreCrossedWhereTheyAre) {
   EXPECT_GT(crossed, runs(20000) / 10);
 }
 
-/// Of a line along an asymptote the crossing is at infinity, and rounding may put it beyond: the
+/// A line along an asymptote is crossed at infinity, and rounding may put the crossing beyond: the
 /// end there is the answer.
 TEST(Bisector, LinesAlongAnAsymptoteAreCrossedAtItsEnd) {
   Random random(504);

@@ -141,7 +141,7 @@ TEST(Cells, BehindCellsMuchThinnerThanTheWindowDoNotTakeItAll) {
                                    {7, 21, 4},
                                    {0x1.c2p+2, 0x1.4fffffffffffcp+4, 0x1.fcp+1},
                                    {0x1.7fffffffffffcp+1, 0, -0x1.0000000000004p+1}});
-  // Of two circles a double apart in all their numbers one is along two sides, and no double is
+  // Two circles a double apart in all their numbers: one is along two sides, and no double is
   // between its edge and them.
   const double low = 0x1.f8p+55;
   const Bounds bounds{low, 0, 0x1.f800001400001p+55, 0x1.f800000400001p+55};

@@ -116,7 +116,7 @@ TEST_P(CellsOn, BoundariesAreClosedAndShared) {
         }
       }
     }
-    // What remains belongs to regions whose partner was only a touch.
+    // The remaining edges belong to regions whose partner was only a touch.
     for (const std::vector<double>& c : seen) {
       const double size = std::abs(c[5] - c[0]) + std::abs(c[6] - c[1]);
       const bool onBorder = std::min({std::abs(c[0] - bounds.xmin), std::abs(c[0] - bounds.xmax),

@@ -1,4 +1,4 @@
-// What polygons of all cells have to be: a judge for tests and fuzzers.
+// Judges polygons of all cells, for tests and fuzzers.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace apollonius::test {
 
 using Place = std::pair<double, double>;
 
-/// What is wrong with the polygons of all cells; empty if nothing is. `area` is that of all
+/// Says what is wrong with the polygons of all cells; empty if nothing is. `area` is that of all
 /// together, or 0 if it is not known.
 class CoverageJudge {
  public:
@@ -114,7 +114,7 @@ inline double sizeOf(const Bounds& b) {
   return std::max({std::abs(b.xmin), std::abs(b.ymin), std::abs(b.xmax), std::abs(b.ymax)});
 }
 
-/// What is wrong with polygons that are to tile a rectangle; empty if nothing is.
+/// Says what is wrong with polygons that are to tile a rectangle; empty if nothing is.
 inline std::string faultsOf(const CoverageArrays& coverage, const Bounds& bounds) {
   CoverageJudge judge(coverage, (bounds.xmax - bounds.xmin) * (bounds.ymax - bounds.ymin));
   const double rounding = kCoverageRounding * sizeOf(bounds);

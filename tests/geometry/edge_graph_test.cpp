@@ -183,7 +183,7 @@ TEST(EdgeGraph, OfALatticeHasOneVertexWhereFourCellsMeet) {
   }
 }
 
-/// The same sites after another history name the same three of the sites of a vertex.
+/// Equal sites after another history name the same three of the sites of a vertex.
 TEST(EdgeGraph, IsTheSameAfterAnyHistory) {
   Random random(6801);
   Circles circles = cocircularPoints(random, 30);

@@ -57,7 +57,7 @@ void expectSmallest(const Diagram& diagram, const Circles& circles) {
   }
 }
 
-/// The same bits from the same circles in another order, inserted one by one.
+/// Expects equal bits from the circles in another order, inserted one by one.
 void expectSameAfterAnotherHistory(const Diagram& diagram, const Circles& circles, Random& random) {
   std::vector<SiteId> order(circles.size());
   for (std::size_t k = 0; k < order.size(); ++k) order[k] = static_cast<SiteId>(k);

@@ -353,7 +353,7 @@ TEST(Fit, Refusals) {
   EXPECT_EQ(circle.r, 2) << "nothing has changed";
 }
 
-// What all weights have in common changes no cell: it stays what it was.
+// An amount added to all weights changes no cell: the mean stays as it was.
 TEST(Fit, LeavesTheMeanOfTheWeights) {
   Random random(911);
   const Region region = square(1000);
@@ -411,7 +411,7 @@ TEST(Fit, WeightsToStartFromAreChecked) {
     EXPECT_EQ(fitting.begin(diagram, region, targets, start), error);
 }
 
-/// Of a fit that has not been begun; the diagram's first circle has the radius 2.
+/// Expects a fit that has not been begun; the diagram's first circle has the radius 2.
 void expectNoFit(const AreaFit& fitting, Diagram& diagram) {
   std::vector<double> weights{3};
   EXPECT_EQ(fitting.error(), std::numeric_limits<double>::infinity());

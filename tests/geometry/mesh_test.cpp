@@ -1,4 +1,4 @@
-// What is mended where rings cross (src/geometry/polygons/mesh.h).
+// Mending of rings that cross (src/geometry/polygons/mesh.h).
 #include "geometry/polygons/mesh.h"
 
 #include <gtest/gtest.h>

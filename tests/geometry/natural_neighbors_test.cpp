@@ -183,7 +183,7 @@ TEST(NaturalWeights, OfACellInAHoleAreNone) {
   }
 }
 
-/// What trusted bytes hold is not proved, so that searches look again at what they find.
+/// Trusted bytes are not proved, so that searches look again at what they find.
 TEST(NaturalWeights, OfACircleThatCoversAllInATrustedSnapshot) {
   Diagram diagram;
   insertInto(diagram, {{10, 10, 1}, {30, 12, 2}, {22, 30, 0}, {50, 25, 3}});

@@ -26,7 +26,7 @@
 namespace apollonius::test {
 namespace {
 
-/// What a call is made on; made anew for each allocation that fails.
+/// The objects that a call needs; made anew for each allocation that fails.
 struct Subject {
   Diagram diagram;
   Region region;
@@ -438,7 +438,7 @@ TEST_F(GeometryOutOfMemory, FitsGoOnAfterwards) {
   EXPECT_GT(failed_, 100);
 }
 
-// What a call about one cell takes does not grow with the window far away from the cell. (An array
+// Memory for a call about one cell does not grow with the window far away from the cell. (An array
 // of all crossings was filled for each call.)
 TEST_F(GeometryOutOfMemory, CallsAboutOneCellTakeNoMoreWithAWindowThatIsLargerElsewhere) {
   // Cells in a row; teeth of a comb go across the border between the last two.

@@ -151,7 +151,7 @@ TEST(Reach, ADistanceForEachSite) {
   EXPECT_NEAR(lengthOfCurves(edges), shared, 1e-12);
 }
 
-/// Of lines and curves, the latter by points on them.
+/// Length of lines and curves, the latter by points on them.
 double drawnLength(const Path& path) {
   double sum = 0;
   Place from;
@@ -557,7 +557,7 @@ TEST(Reach, AreasAreThoseOfSampledPoints) {
   }
 }
 
-/// What is wrong with the polygons; empty if nothing is.
+/// Says what is wrong with the polygons; empty if nothing is.
 std::string faultsIn(const Circles& circles, const std::vector<double>& distances,
                      const Window& window, double tolerance) {
   Diagram diagram;

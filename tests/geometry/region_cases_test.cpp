@@ -166,8 +166,8 @@ TEST(RegionCases, AHoleOfAnIslandInAHole) {
   EXPECT_NEAR(areas[1], 200 - 48, 1e-12);
 }
 
-/// What is left of a drawing of a cell is closed by a straight line only where its border is one:
-/// the last point of a curve is there.
+/// The last piece of a cell's drawing is a straight line only where the cell's border is one: the
+/// last point of a curve is there.
 TEST(RegionCases, DrawnCellsEndWithTheirLastCurve) {
   Random random(221);
   for (int run = 0; run < runs(60); ++run) {

@@ -58,7 +58,7 @@ std::vector<double> scribble(Random& random, const Bounds& box, int count) {
   return ring;
 }
 
-/// What must be true of any region on any diagram, with areas right to a share of the box.
+/// Checks what must be true of any region on any diagram, with areas right to a share of the box.
 void check(const Diagram& diagram, const Circles& circles, const Rings& rings, Random& random,
            const std::string& where, double rounding = 1e-12) {
   Region region;

@@ -1,5 +1,4 @@
-// What the geometry tests share: windows around sets of circles, and plain
-// geometry of polygons.
+// Shared by the geometry tests: windows around sets of circles, and plain geometry of polygons.
 #pragma once
 
 #include <gtest/gtest.h>

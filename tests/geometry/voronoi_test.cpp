@@ -241,7 +241,7 @@ TEST(VoronoiDeterminism, CurvesHaveTheSameBitsAfterAnyHistory) {
   }
 }
 
-/// Of the chords of its pieces.
+/// Length of the chords of a path's pieces.
 double lengthOf(const Path& path) {
   double length = 0, x = 0, y = 0;
   const double* xy = path.coordinates.data();

@@ -3,7 +3,7 @@
 import { readdirSync, readFileSync } from "node:fs";
 import path from "node:path";
 
-// What is looked for in a line, and what it becomes.
+// Patterns of a line, and what each becomes.
 const changes = [
   [/ < /, " <= "],
   [/ <= /, " < "],

@@ -90,7 +90,7 @@ export async function inParallel(items, jobs, work) {
 }
 
 export class Suite {
-  /** What is measured is kept in the file `measured` for as long as a program does not change. */
+  /** Keeps measurements in the file `measured` for as long as a program does not change. */
   constructor(measured, jobs) {
     this.measured = measured;
     this.jobs = jobs;
@@ -154,8 +154,8 @@ export class Suite {
   }
 
   /**
-   * What notices the mutant: the name of a test; null if nothing does. Only tests that come by it
-   * are run, of no more than `longest` seconds each, quick ones first, and those of `own` before
+   * Returns the name of a test that notices the mutant, or null. Only tests that come by it are
+   * run, of no more than `longest` seconds each, quick ones first, and those of `own` before
    * others.
    */
   async noticedBy(number, own, longest) {

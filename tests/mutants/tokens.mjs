@@ -24,7 +24,7 @@ export function tokensOf(source) {
   return tokens;
 }
 
-/** The same whatever the layout and the comments. */
+/** Does not depend on layout or comments. */
 export const normalized = (source) =>
   tokensOf(source)
     .map(({ text }) => text)

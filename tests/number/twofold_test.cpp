@@ -30,7 +30,7 @@ class Operands {
  public:
   explicit Operands(Random random) : random_(random) {}
 
-  /// Of an ordinary size, of which the second double has many digits, few, or none.
+  /// Makes a number of ordinary size, of which the second double has many digits, few, or none.
   Twofold next() {
     const double value =
         std::ldexp(random_.between(0.5, 1), random_.below(40)) * (random_.oneIn(2) ? 1 : -1);

@@ -19,7 +19,7 @@ using stages::RayPart;
 
 constexpr VoronoiCircle kKnowsNothing{0, 0, 0, std::numeric_limits<float>::infinity(), -1};
 
-/// What the four stages say; those that know must agree.
+/// Returns the answer of the four stages; those that know must agree.
 Sign agreedSign(double x, double y, const Site& i, Corner j, Corner k, RayPart part) {
   const Sign exact = stages::rayExact(x, y, i, j, k, part);
   for (const MaybeSign stage :

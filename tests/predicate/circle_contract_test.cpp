@@ -1,6 +1,6 @@
-// What the first filters make of a cached circle, which promises no more than an error: a known
-// answer must hold for every circle within it. The circles are made up, so that each part of a
-// bound is the only one that matters in some of them.
+// The first filters trust a cached circle's error only: a known answer must hold for every circle
+// within it. The circles are made up, so that each part of a bound is the only one that matters in
+// some of them.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -65,7 +65,7 @@ TEST(CircleFilter, KnowsOnlyWhatHoldsForAllCirclesWithinTheError) {
     Site q{circle.x + (turn == 1 ? 0 : way), circle.y + (turn == 0 ? 0 : way), 0};
     const double dx = circle.x - q.x, dy = circle.y - q.y;
     const double share = random.oneIn(2) ? random.between(-2, 2) : 0;
-    // What is computed of the distance is off by a few units itself.
+    // The computed distance is off by a few units itself.
     const double length = std::sqrt(dx * dx + dy * dy),
                  units = random.between(-4, 4) * kUnitRoundoff * length;
     q.r = length - circle.s + (share * circle.error + units);
@@ -223,7 +223,7 @@ TEST(EdgeShortcut, SaysNothingOfUnboundedEdges) {
   EXPECT_FALSE(isSurelyInConflictBetweenEnds(i, j, ahead, plane, q));
 }
 
-/// Of sites so close together that products of their differences underflow, nothing.
+/// Nothing is said of sites so close together that products of their differences underflow.
 TEST(EdgeShortcut, SaysNothingWhereProductsUnderflow) {
   Random random(155);
   constexpr double kUnit = powerOfTwo(-384);  // of coordinates next to the smallest there are

@@ -59,7 +59,7 @@ TEST(Opposite, CornersOfTinyRectangles) {
   }
 }
 
-/// Of two points a double apart from a third, on an axis: what is lost to underflow is not zero.
+/// Two points a double apart from a third, on an axis: what is lost to underflow is not zero.
 TEST(VertexOfPoints, ProductsThatUnderflowAreUnknown) {
   const double low = powerOfTwo(-332), step = powerOfTwo(-384);
   const Site i{low, 0, 0}, j{low, powerOfTwo(-99), 0}, k{low + step, 0, 0}, q{low - step, 0, 0};
@@ -70,7 +70,7 @@ TEST(VertexOfPoints, ProductsThatUnderflowAreUnknown) {
   EXPECT_TRUE(!answer.known || answer.sign == exact);
 }
 
-/// Of neighbouring fractions the minors are 1 or -1, far less than the last place of their
+/// The minors of neighbouring fractions are 1 or -1, far less than the last place of their
 /// products: only of short numbers are they exact.
 TEST(VertexOfPoints, MinorsOfLongNumbersAreRounded) {
   Random random(183);

@@ -80,7 +80,7 @@ TEST_F(Identities, VertexSquaresHaveDegreeEight) {
 }
 
 TEST_F(Identities, VertexSquaresWithInfinity) {
-  // The same with one of the rows j, k at infinity, where p_jk and p_j are 1.
+  // Again with one of the rows j, k at infinity, where p_jk and p_j are 1.
   for (int point = 0; point < kPoints; ++point) {
     const Relative j = randomRow(random), q = randomRow(random);
     const auto [xr, yr, xy] = determinants(j, kInfinityRow, q);

@@ -27,7 +27,7 @@ bool covered(const Circle& q, const Circles& by) {
   return false;
 }
 
-/// What must hold for each face: the same after rotation, and through the cached circle.
+/// Expects of each face: equal answers after rotation, and through the cached circle.
 void expectConflict(const std::vector<Site>& sites, int i, int j, int k, const Site& q,
                     bool expected) {
   const Corner a = corner(sites, i), b = corner(sites, j), c = corner(sites, k);

@@ -185,8 +185,8 @@ TEST(VoronoiCircle, OfManySitesIsTheSameForAll) {
   EXPECT_GT(count, runs(1000));
 }
 
-/// Of integers: the quotient of two integers that doubles hold is rounded once. That the offset
-/// from a site is not added with a rounding of its own is what d3 users see: 150, not
+/// With small integers, the quotient of two integers that doubles hold is rounded once. That the
+/// offset from a site is not added with a rounding of its own is what d3 users see: 150, not
 /// 149.99999999999997.
 TEST(VoronoiCircle, OfSmallIntegersHasTheNearestDoubles) {
   Random random(106);
@@ -268,8 +268,7 @@ TEST(VoronoiCircle, SimpleCases) {
   EXPECT_NEAR(inner.s, -2, 1e-14);
 }
 
-/// Of products that underflow nothing is known: the chord's square is far below the smallest
-/// double.
+/// Nothing is known where products underflow: the chord's square is far below the smallest double.
 TEST(VoronoiCircle, IsNotCertainWhereOneSiteIsNextToAnother) {
   const Site i{0, 0, 0}, j{-1, 0, 0}, k{0, -1e-100, 0};  // the first is the reference
   VoronoiCircle circle;

@@ -26,7 +26,7 @@ double sumOfAreas(const SphericalDiagram& diagram) {
   return sum;
 }
 
-/// What a ring of polygons is, whatever the position of the sites; returns the sum of the areas in
+/// Checks a ring of polygons, whatever the position of the sites; returns the sum of the areas in
 /// the plane of longitude and latitude.
 template <class Arrays>
 double expectRings(const Arrays& polygons) {

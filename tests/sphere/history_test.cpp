@@ -179,7 +179,7 @@ TEST(SphericalHistories, LongitudesAreReducedWithoutRounding) {
   }
 }
 
-/// The same hidden sites.
+/// Expects equal hidden sites.
 void expectSameHidden(const SphericalDiagram& diagram, const SphericalDiagram& other) {
   std::vector<SiteId> ids;
   ASSERT_EQ(diagram.ids(ids), Error::kNone);

@@ -77,7 +77,7 @@ TEST(SphericalNaturalNeighbors, BesideASiteAreThoseOfAPlaceThere) {
     SCOPED_TRACE(std::to_string(round));
     const std::vector<double> taken = takenFrom(sites, site);
     const std::vector<double> weights = weightsById(diagramOf(sites), site);
-    // What rounding of directions, of 2^-53, turns a bisector by.
+    // Rounding of directions, 2^-53, turns a bisector by this.
     const double rounding = 1e-7 + 1e-13 / apart;
     for (std::size_t id = 0; id < taken.size(); ++id)
       EXPECT_NEAR(weights[id], taken[id], rounding) << id;

@@ -185,7 +185,7 @@ TEST(SphericalOutOfMemory, AnIdThatWasFreeIsFreeAgain) {
   }
 }
 
-/// What fails once fails again, and the diagram stays empty.
+/// A builder that failed once fails again, and the diagram stays empty.
 TEST(SphericalOutOfMemory, EndsABuilderAndTheDiagramStaysEmpty) {
   Random random(475);
   const std::vector<double> sites = flat(randomSites(random, 40, 0.3));

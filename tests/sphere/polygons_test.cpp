@@ -282,8 +282,8 @@ TEST(SphericalPolygons, OfOneCellAreThoseAmongAllCells) {
   }
 }
 
-/// Of a ring of arcs of great circles that has less than a hemisphere at its left: by the triangles
-/// of its sides with a point (Oosterom and Strackee).
+/// Area of a ring of arcs of great circles that has less than a hemisphere at its left: by the
+/// triangles of its sides with a point (Oosterom and Strackee).
 double areaOfRing(const std::vector<double>& coordinates, const SphericalCircle& site) {
   const LongVector u = longDirection(site.lon, site.lat);
   double area = 0;

@@ -1,5 +1,5 @@
-// What ProjectedDiagram::check() finds where its sites are not those of the table: each message,
-// and the site that it names.
+// ProjectedDiagram::check() finds sites that are not those of the table: each message, and the site
+// that it names.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// What circles of the plane are on the sphere.
+// Circles of the plane as circles of the sphere.
 #include "sphere/projection.h"
 
 #include <gtest/gtest.h>

@@ -114,7 +114,7 @@ void expectSame(const SphericalSites& sites, const SphericalSites& turned, const
       ASSERT_EQ(one.cellCentroid(id, kEverywhere, centroid), Error::kNone);
       ASSERT_EQ(other.cellCentroid(id, kEverywhere, otherCentroid), Error::kNone);
       const SphericalPoint expected = rotation(centroid);
-      // Of a small cell the centroid is known as well as its moment.
+      // The centroid of a small cell is known as well as its moment.
       if (areas[id] > 1e-3 && areas[id] < 6) {
         EXPECT_LT(distanceOf(otherCentroid, {expected.lon, expected.lat, 0}), 1e-9) << id;
       }
@@ -176,7 +176,7 @@ TEST(SphericalRotations, ThatPutAVertexOnAPoleOrTheAntimeridian) {
   }
 }
 
-/// Of the octahedron and of the grid, quarter turns only change the names.
+/// Quarter turns of the octahedron and of the grid only change the names.
 TEST(SphericalRotations, ByAQuarterTurnOfTheOctahedron) {
   Random random(95);
   const SphericalSites sites = {{0, 0, 0},   {90, 0, 0}, {180, 0, 0},

@@ -82,7 +82,7 @@ TEST(SphericalSectors, OfAnEdgeThatADotInterruptsGoesRound) {
   }
 }
 
-/// Of dots as small as rounding the turns do not tell which sector goes round.
+/// The turns of dots as small as rounding do not tell which sector goes round.
 TEST(SphericalSectors, OfDotsAsSmallAsRoundingAddUp) {
   Random random(84);
   for (const double dot : {1e-13, 1e-14, 1e-15, 3e-16}) {

@@ -78,7 +78,7 @@ inline std::vector<NamedSites> namedSets(Random& random, std::size_t n) {
   return sets;
 }
 
-/// Of the whole precision; libc++'s std::numbers::pi_v<long double> is a double.
+/// Pi in whole precision; libc++'s std::numbers::pi_v<long double> is a double.
 inline constexpr long double kLongPi = 3.141592653589793238462643383279502884L;
 
 struct LongVector {

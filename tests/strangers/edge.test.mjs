@@ -59,7 +59,7 @@ async function bundled(source, conditions) {
   writeFileSync(path.join(folder, "config.capnp"), config);
 }
 
-/** What the worker answers to a request for each path. */
+/** Returns the worker's answers to a request for each path. */
 async function answers(...paths) {
   const program = path.join(root, "tests/strangers/node_modules/.bin/workerd");
   const child = spawn(program, ["serve", "config.capnp", "--control-fd=3"], {
@@ -132,7 +132,7 @@ test("workerd: the sphere and the plane in one module, restored from bytes", asy
   expect(await answers("/")).toEqual([`1 1 ${answerOfSphere}`]);
 });
 
-/** What Vercel's edge runtime, given the compiled modules from outside, answers. */
+/** Returns the answer of Vercel's edge runtime, given the compiled modules from outside. */
 async function answerOfVercel(source) {
   const { EdgeRuntime } = await import("edge-runtime");
   const { outputFiles } = await build({

@@ -31,7 +31,7 @@ const bubbles = [
   { x: 105, y: 90, r: 10 },
 ];
 const given = `const bubbles = ${JSON.stringify(bubbles)};`;
-/** Of charts: x, y, radius in pixels, name. */
+/** Charts are given x, y, radius in pixels, name. */
 const rows = [
   [10, 20, 50, "large"],
   [12, 21, 15, "small"],
@@ -39,7 +39,7 @@ const rows = [
   [30, 45, 25, "other"],
 ];
 
-/** Of the server's, shown as text: a document without a policy of its own, quick to open. */
+/** A file that the server shows as text: a document without a policy of its own, quick to open. */
 const kBare = "examples/examples.css";
 
 /** A page for a program, with a container of some HTML; keeps a picture for people to look at. */
@@ -85,8 +85,8 @@ async function colourAt(page, x, y) {
 }
 
 /**
- * What a server renders and a page takes over, of each framework: `server` prints the HTML, and
- * `browser` has `show(bubbles)` and `end()`.
+ * Programs of each framework, for what a server renders and a page takes over: `server` prints the
+ * HTML, and `browser` has `show(bubbles)` and `end()`.
  */
 const kFrameworks = {
   react: {
@@ -312,7 +312,7 @@ describeInBrowser("recipes", (open) => {
         const [x, y] = ["x", "y"].map((name) => window.shown.view.scale(name));
         return ${JSON.stringify(data)}.map((row) => toPage([x(row.x), y(row.y)]));
       };
-      // What answers at the points of a grid, and what should; not where half a pixel decides.
+      // Counts the points of a grid with a wrong answer; not where half a pixel decides.
       window.wrong = () => {
         const items = symbols();
         const circles = items.map(({ x, y, size }) => ({ x, y, r: Math.sqrt(size) / 2 }));
@@ -410,7 +410,7 @@ describeInBrowser("recipes", (open) => {
         await expectActive(1, 1);
         await pointAt([small[0] + 50, small[1]]);
         await expectActive(1, 0);
-        // What is hidden by the legend does not count; nor does, if so told, what is not under it.
+        // A hidden series does not count; nor does, if so told, a point outside the chart's area.
         await page.evaluate(() => window.chart.hide(1));
         await pointAt([small[0] + 52, small[1]]);
         await expectActive(0, 0);

@@ -1,4 +1,4 @@
-// What Builder and SphericalBuilder promise alike: a diagram built in steps of any length, and
+// Promises of both Builder and SphericalBuilder: a diagram built in steps of any length, and
 // nothing of it if the work is given up.
 #pragma once
 

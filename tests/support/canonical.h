@@ -30,7 +30,7 @@ Canonical canonicalForm(const Diagram& diagram, std::string& broken);
 /// Canonical form from the oracle; for a dozen circles at most.
 Canonical canonicalByOracle(const Circles& circles);
 
-/// What differs, for a person to read; empty if nothing does.
+/// Describes the differences for a person; empty if there are none.
 std::string difference(const Canonical& expected, const Canonical& got);
 
 }  // namespace apollonius::test

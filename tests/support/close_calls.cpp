@@ -101,7 +101,7 @@ class Maker {
   }
 
   Site site(std::uint8_t kind) {
-    // Of kinds that look back at former sites, those that find enough of them.
+    // The kinds that look back at former sites and find enough of them.
     constexpr std::uint8_t kKinds[] = {4, 8, 10, 12, 12};
     switch (kind % kKinds[count_]) {
       case 1: {
@@ -156,7 +156,7 @@ class Maker {
         {s.x + step * d.x, s.y + step * d.y, how == 0 ? way - s.r : s.r + kSigns[how] * way});
   }
 
-  /// Of two: centre and weight on the line through theirs, as linear functions.
+  /// Makes a site between two: centre and weight on the line through theirs, as linear functions.
   Site onTheTangentLine() {
     const Site &a = former(), &b = former();
     const double t = small() / 32;

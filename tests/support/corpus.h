@@ -19,7 +19,7 @@ struct NamedGenerator {
   bool large = true;
 };
 
-/// What GoogleTest shows of a parameter.
+/// GoogleTest shows a parameter by its name.
 inline void PrintTo(const NamedGenerator& generator, std::ostream* out) { *out << generator.name; }
 
 /// All of them, from harmless to degenerate to the ends of the number range.

@@ -21,7 +21,7 @@ inline std::size_t degree(const Graph& graph, VertexId v) {
   return n;
 }
 
-/// Of a site; 0 for a hidden one.
+/// Degree of a site; 0 for a hidden one.
 inline std::size_t degree(const DiagramCore& core, SiteId id) {
   return degree(core.delaunay().graph(), vertexOf(core.ids().slotOf(id)));
 }

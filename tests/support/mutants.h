@@ -15,13 +15,14 @@ namespace apollonius::test {
 /// vertices, pairs of the forest; of a twin or an exchange of two words mostly, so that surfaces
 /// come of them. The checksum fits.
 std::vector<std::uint8_t> mutant(const std::vector<std::uint8_t>& snapshot, Random& random);
-/// The same with this many changes: the counts of the snapshot's header, which may be changed, say
+/// As above, with this many changes: the counts of the snapshot's header, which may be changed, say
 /// where its parts are, so that no mutant can be changed again.
 std::vector<std::uint8_t> mutant(const std::vector<std::uint8_t>& snapshot, Random& random,
                                  std::uint64_t changes);
 
-/// What is wrong with a diagram that fromBytes has accepted from anyone: it must be the one of the
-/// sites that it holds, with their ids, by a fresh build and by brute force. Empty if nothing is.
+/// Says what is wrong with a diagram that fromBytes has accepted from anyone: it must be the one of
+/// the sites that it holds, with their ids, by a fresh build and by brute force. Empty if nothing
+/// is.
 std::string whatIsWrong(const Diagram& diagram, Random& random);
 
 /// Makes each call some times, reading and changing in turns, in an order that the seed gives;

@@ -175,8 +175,8 @@ Verdict judgeHorizon(const ExactSite& a, const ExactSite& bAbsolute, const Exact
   return judgeCircle(circle, a, q);
 }
 
-/// The same in the limit: the half-plane {n . x >= n . b_a + r_a} that touches both, with unit
-/// normal n to the left of the way from contact point a to contact point b.
+/// Judges in the limit: the half-plane {n . x >= n . b_a + r_a} that touches both, with unit normal
+/// n to the left of the way from contact point a to contact point b.
 Verdict judgeHalfPlane(const ExactSite& a, const ExactSite& bAbsolute, const ExactSite& q) {
   const ExactSite b = relativeTo(a, bAbsolute);
   const ExactSite t = relativeTo(a, q);

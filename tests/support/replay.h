@@ -43,7 +43,7 @@ class Replay {
   std::set<SiteId> taken_;      // ids of those that live
 };
 
-/// What checkHistory compares, and how often.
+/// The comparisons that checkHistory makes, and how often.
 struct Checks {
   Location location = Location::kHierarchy;
   bool validateEveryStep =

@@ -10,7 +10,7 @@
 
 namespace apollonius::test {
 
-/// Of a diagram of the plane or the sphere.
+/// Returns the snapshot of a diagram of the plane or the sphere.
 template <typename Diagram>
 std::vector<std::uint8_t> saved(const Diagram& diagram) {
   std::vector<std::uint8_t> bytes;

@@ -23,7 +23,8 @@ class ScaleRun {
   [[nodiscard]] std::uint64_t calls() const { return sum(&StageChecks::calls); }
   [[nodiscard]] std::uint64_t disagreements() const { return sum(&StageChecks::disagreements); }
   [[nodiscard]] std::string report() const;
-  /// What each stage settled in all, and how many calls of each family the exact stage had to.
+  /// Returns what each stage settled in all, and how many calls of each family the exact stage had
+  /// to.
   [[nodiscard]] std::string table() const;
 
  private:

@@ -18,7 +18,7 @@ namespace {
 
 constexpr Sign yesOrNo(bool yes) { return yes ? Sign::kPositive : Sign::kNegative; }
 
-/// Of edges only "positive" and "not positive" mean something.
+/// An edge's answer is "positive" or "not positive".
 MaybeSign positiveOrNot(MaybeSign sign) {
   return {yesOrNo(sign.sign == Sign::kPositive), sign.known};
 }

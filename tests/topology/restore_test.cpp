@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::uint32_t kNone = 0xFFFFFFFFu;
 
-/// Of twins, and one half-edge of each vertex; without free faces.
+/// Restores twins, and one half-edge of each vertex; without free faces.
 bool isRestored(std::initializer_list<std::uint32_t> twins,
                 std::initializer_list<std::uint32_t> outgoing) {
   std::vector<std::uint8_t> bytes(4 * (1 + twins.size() + outgoing.size()));
@@ -37,7 +37,7 @@ TEST(Restore, TwoSpheresAreRefused) {
 /// Euler's formula holds.
 TEST(Restore, ALoopIsRefused) { EXPECT_FALSE(isRestored({1, 0, 5, 4, 3, 2}, {0, 1, 4})); }
 
-/// The same with the loop as each of the three sides.
+/// The loop takes the place of each of the three sides.
 TEST(Restore, ALoopIsRefusedOnEachSide) {
   EXPECT_FALSE(isRestored({5, 2, 1, 4, 3, 0}, {0, 2, 4}));
   EXPECT_FALSE(isRestored({2, 5, 0, 4, 3, 1}, {1, 0, 4}));

@@ -1,5 +1,5 @@
-// What the tests of the graph share: reading a surface as plain integers, and calling its
-// operations with room made for them.
+// Shared by the tests of the graph: reading a surface as plain integers, and calling its operations
+// with room made for them.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
-// What a caller's own code may do in the middle of a call, and what its arrays may pretend to be:
-// afterwards the diagram is sound, as it was or as that code left it; what is thrown is that code's
-// own or typed, never a trap; and nothing was read from a heap that has moved.
+// A caller's own code runs in the middle of a call, and its arrays pretend to be others: afterwards
+// the diagram is sound, as it was or as that code left it; what is thrown is that code's own or
+// typed, never a trap; and nothing was read from a heap that has moved.
 import { ApolloniusError, Diagram } from "../../build/packed/consumer.mjs";
 import { validate } from "../../build/packed/diagnostics.mjs";
 import { graph, snapshot } from "./support/graph.mjs";
@@ -240,7 +240,7 @@ test("what is checked is what is used: getters that say something else the secon
 // --- Callbacks that use the diagram --------------------------------------------------------------
 
 const large = randomCircles(100_000, 73);
-/** What is done in the middle: [name, action, whether the diagram can be used afterwards]. */
+/** Actions in the middle of a call: [name, action, whether the diagram can be used afterwards]. */
 const deeds = [
   ["inserts", (d) => d.insert(1, 2, 3)],
   ["inserts 100 000", (d) => d.insertMany(large)],

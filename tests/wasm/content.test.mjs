@@ -1,4 +1,4 @@
-// What tools that know nothing of diagrams make of them: comparisons, JSON, clones, consoles.
+// Tools that know nothing of diagrams: comparisons, JSON, clones, consoles.
 import assert from "node:assert";
 import { inspect } from "node:util";
 import { serialize } from "node:v8";

@@ -16,7 +16,7 @@ const cycle = (ids) => {
   const start = ids.indexOf(Math.min(...ids));
   return [...ids.slice(start), ...ids.slice(0, start)];
 };
-/** Of a hull, without points in line between two others. */
+/** Corners of a hull, without points in line between two others. */
 const corners = (hull, points) => {
   const cross = (a, b, c) =>
     (points[2 * b] - points[2 * a]) * (points[2 * c + 1] - points[2 * a + 1]) -

@@ -1,5 +1,5 @@
-// What docs/D3_DELAUNAY.md says to users of d3-geo-voronoi: with equal weights the results are its
-// own, and where they differ it is as the table says.
+// docs/D3_DELAUNAY.md tells users of d3-geo-voronoi: with equal weights the results are its own,
+// and where they differ it is as the table says.
 import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import path from "node:path";

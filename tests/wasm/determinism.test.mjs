@@ -1,4 +1,4 @@
-// The same bits in every engine: a history with all outputs of the package, as one hash, in Node,
+// Equal bits in every engine: a history with all outputs of the package, as one hash, in Node,
 // Chromium and Firefox. What differed would be arithmetic of the engine's JavaScript; the wasm's
 // own is compared with native code by recorded hashes (tests/diagram/determinism_test.cpp).
 import { readFileSync } from "node:fs";

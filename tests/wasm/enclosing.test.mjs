@@ -106,8 +106,8 @@ test.each([
   }
 });
 
-// Of the kinds that d3-hierarchy's reports are of: circles that nearly touch the one around others,
-// in numbers whose last places decide.
+// Kinds of d3-hierarchy's reports: circles that nearly touch the one around others, in numbers
+// whose last places decide.
 test("circles that all touch one circle, up to rounding", () => {
   for (const size of [1e-7, 1, 14.5, 1e6, 1e22]) {
     const circles = Array.from({ length: 200 }, (_, k) => {

@@ -27,7 +27,7 @@ const known = new Set(
 );
 
 /**
- * What its comment says that a member throws: codes, "throws as ...", "rejects as that throws" of
+ * Returns what a member throws by its comment: codes, "throws as ...", "rejects as that throws" of
  * the call that it begins with, and what the comment of Voronoi says of all its calls.
  */
 function documented(className, name) {

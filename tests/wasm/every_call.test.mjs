@@ -117,7 +117,7 @@ const changing = {
       m.circles.clear();
     },
   ],
-  /** What is refused changes nothing. */
+  /** A refused call changes nothing. */
   "a refused call": [
     [
       fc.constantFrom(

@@ -10,7 +10,7 @@ const xyr = randomCircles(1000, 82, 120); // about a third hidden
 const diagram = new Diagram(xyr);
 const points = Array.from({ length: 150 }, () => [random() * 2600 - 1300, random() * 2600 - 1300]);
 
-/** What the calls are to say, by trying all circles of a list of [id, x, y, r]. */
+/** Returns the calls' answers, by trying all circles of a list of [id, x, y, r]. */
 function bruteForce(circles) {
   const away = ([, cx, cy, r], x, y) => Math.hypot(cx - x, cy - y) - r;
   const nearest = (x, y, filter) => {

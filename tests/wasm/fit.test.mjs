@@ -143,7 +143,7 @@ test("where only rounding is above the tolerance, weights are taken, unless stri
   for (let id = 0; id < count; ++id)
     expect(Math.abs(areas[id] / ((targets[id] / total) * 960 * 500) - 1)).toBeLessThan(1e-11);
   expect(validate(diagram)).toBeNull();
-  // What converges is the same with it.
+  // A fit that converges gives the weights that it gives without it.
   const usual = built().voronoi(window).fitAreas(targets);
   expect(built().voronoi(window).fitAreas(targets, { strict: true })).toStrictEqual(usual);
 });

@@ -11,7 +11,7 @@ const { default: MaximumInscribedCircle } = await import(
 );
 
 const kEnough = 0.999;
-/** Of what rounding may do to coordinates up to 100. */
+/** Rounding of coordinates up to 100. */
 const kRounding = 1e-12;
 
 const randomSites = (random, count, heaviest = 8) =>
@@ -181,7 +181,7 @@ describe("domains that are thin, at any angle", () => {
     [2, 2 / 3 + width],
   ];
   const widths = [1e-3, 1e-6, 1e-9, 1e-12];
-  /** Of numbers that are rounded to 2^-52. */
+  /** Compares numbers that are rounded to 2^-52. */
   const expectAbout = (r, expected) => {
     expect(r / expected).toBeGreaterThan(kEnough - 1e-15 / expected);
     expect(r / expected).toBeLessThan(1 + 1e-9 + 1e-15 / expected);

@@ -240,7 +240,7 @@ function factsOf(sites, { polygon, distance }, [x, y, scale], isFitted) {
   return facts;
 }
 
-/** Of each site those with which it has an edge that is longer than rounding can make it. */
+/** Returns, by site, those with which it has an edge longer than rounding can make it. */
 function neighborsOf(view, ids, curves, beside, scale) {
   const lengths = ids.map(() => new Map());
   beside.forEach((id, k) => {
@@ -287,7 +287,7 @@ function complaintOf(facts, expected, isCut, [x, y]) {
   return null;
 }
 
-/** What is not so within one view. */
+/** Returns a contradiction within one view, or none. */
 function contradictionOf({ window, areas, polygons, cellAreas, parts, drawn, curvesOfCells }, cut) {
   const sum = sumOf(areas);
   if (!cut && Math.abs(sum - window) > 1e-8 * window) return `areas: ${sum} of ${window}`;

@@ -3,7 +3,7 @@ import { Diagram } from "../../build/packed/consumer.mjs";
 import { box, windows } from "./support/box_with_hole.mjs";
 import { generator } from "./support/random.mjs";
 
-/** What insertion takes from each cell, as a share of the new one. */
+/** Returns the parts that insertion takes from each cell, as shares of the new one. */
 function expectedWeights(diagram, window, x, y, r) {
   const copy = Diagram.fromBytes(diagram.toBytes());
   const view = copy.voronoi(window);

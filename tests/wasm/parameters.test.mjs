@@ -6,10 +6,10 @@ import { root } from "../../tools/toolchain/folders.mjs";
 
 const read = (file) => readFileSync(path.join(root, file), "utf8");
 
-/** Of all methods of the module's classes, the most parameters. */
+/** The most parameters of any method of the module's classes. */
 function mostParameters() {
   const methods = read("build/wasm/apollonius.d.mts").matchAll(/^ {2}\w+\(([^\n]*)\): [^\n]+;$/gm);
-  // Of functions of a diagram (wasm/bindings/shapes.cpp) that is the object.
+  // The first parameter of a function of a diagram (wasm/bindings/shapes.cpp) is the object.
   const counts = [...methods].map(
     ([, list]) => [...list.replace(/^_0: Diagram\b/, "").matchAll(/\b_\d+\??: /g)].length,
   );

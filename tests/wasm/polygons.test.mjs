@@ -133,7 +133,7 @@ test.each([
     expectRefusal(call, "bad-option", message);
 });
 
-/** Of a feature: its polygons, each a list of rings. */
+/** The polygons of a feature, each a list of rings. */
 const polygonsOf = ({ geometry: { type, coordinates } }) =>
   type === "Polygon" ? [coordinates] : coordinates;
 

@@ -1,5 +1,5 @@
-// What README and docs/LOADING.md show can be pasted: its code runs and gives what the comments
-// beside it say, its links lead somewhere.
+// The code of README and docs/LOADING.md can be pasted: it runs and gives what the comments beside
+// it say, its links lead somewhere.
 import { existsSync, readFileSync } from "node:fs";
 import path from "node:path";
 import { root } from "../../tools/toolchain/folders.mjs";

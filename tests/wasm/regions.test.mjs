@@ -375,7 +375,7 @@ test.each([
   expectRefusal(() => diagram.voronoi(region), "bad-bounds", message);
 });
 
-/** What is made is given to `put`, which makes it a part of itself. */
+/** Gives what is made to `put`, which makes it a part of itself. */
 const looped = (made, put) => {
   put(made);
   return made;

@@ -39,7 +39,7 @@ function onBorderOf(rings) {
     });
 }
 
-/** What is wrong with features that are to tile a window of these rings. */
+/** Says what is wrong with features that are to tile a window of these rings. */
 function faultsIn({ features }, rings) {
   const faults = [];
   const isOnBorder = onBorderOf(rings);

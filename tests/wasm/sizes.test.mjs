@@ -1,4 +1,4 @@
-// What a page downloads for each use (tools/sizes.mjs) is within its budget, and README.md says it.
+// A page's download for each use (tools/sizes.mjs) is within its budget, and README.md says it.
 import { readFigures } from "../../tools/figures.mjs";
 import { bundleOf, measureSizes, uses } from "../../tools/sizes.mjs";
 

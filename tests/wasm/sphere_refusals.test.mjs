@@ -1,4 +1,4 @@
-// What the calls of SphericalDiagram refuse, with which code and words; none changes the diagram.
+// Refusals of SphericalDiagram's calls, with code and words; none changes the diagram.
 import { createRequire } from "node:module";
 import { ApolloniusError, Diagram } from "../../build/packed/consumer.mjs";
 import { validate } from "../../build/packed/diagnostics.mjs";

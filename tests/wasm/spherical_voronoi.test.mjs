@@ -290,7 +290,7 @@ test("cellCirclesAsync says what cellCircles says, and notices changes", async (
   await expect(later).rejects.toMatchObject({ code: "busy" });
 });
 
-// The same question has the same name, number of arguments and kind of answer on both surfaces.
+// A question has one name, number of arguments and kind of answer on both surfaces.
 test("a view of the sphere has the calls of the plane's, but for what the reference says", () => {
   const lacking = ["cellCurves", "cellParts", "dispose", "edgeCurves"];
   lacking.push("fitAreas", "fitAreasAsync", "render", "renderBounds", "renderCell", "renderCells");

@@ -176,7 +176,8 @@ test("what is compared is what there is: both classes, both views, records", () 
   );
 });
 
-// Whoever exports what a call gives writes its type into declarations, and so must have its name.
+// A program that exports a call's result writes its type into declarations, and so must have its
+// name.
 test.each(entries)("%s exports every type that what it exports takes or gives", (entry) => {
   // The diagrams that functions of shapes take are of core.
   const others = entry === "shapes" ? exportsOf.core.values() : [];

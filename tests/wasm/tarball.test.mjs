@@ -79,8 +79,8 @@ test("needs no other package and runs nothing when it is installed", () => {
   expect(Object.keys(scripts).filter((name) => /install|prepare|postpack/.test(name))).toEqual([]);
 });
 
-// What a page downloads is in sizes.test.mjs. The whole package is what somebody downloads who
-// installs it: the wasm in four forms (ES module, CommonJS, script tag, files), and documents.
+// A page's download is in sizes.test.mjs. The whole package is what somebody downloads who installs
+// it: the wasm in four forms (ES module, CommonJS, script tag, files), and documents.
 const kUnpacked = 3_085_000;
 test("the whole package is within its limit", () => {
   const unpacked = files.reduce((sum, file) => sum + statSync(path.join(installed, file)).size, 0);

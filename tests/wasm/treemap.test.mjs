@@ -340,7 +340,7 @@ test("padding: children keep that distance from their parent's border, and fill 
   expect(inside / (894 * 494)).toBeCloseTo(1, 9);
 });
 
-// Of a height that padding takes away in steps, rounding leaves 10^-16: no room for cells.
+// Padding takes a height away in steps, and rounding leaves 10^-16 of it: no room for cells.
 test("padding that leaves nothing but rounding is halved, too", () => {
   const values = [107, 1.2, 1.03, 2.9, 34, 4.4];
   for (const [height, padding] of [

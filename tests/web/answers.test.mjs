@@ -1,4 +1,4 @@
-// What figures of the pages "Hidden circles", "Asking" and "Regions and the globe" say, against
+// Answers of figures on the pages "Hidden circles", "Asking" and "Regions and the globe", against
 // brute force in the page.
 import { expect, test } from "@jest/globals";
 import { closePage, describeInBrowser, drag } from "./support/browser.mjs";

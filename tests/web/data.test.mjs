@@ -172,7 +172,7 @@ describeInBrowser("data", (open) => {
   });
 
   describe("files", () => {
-    /** What is saved in this format. */
+    /** Returns the file that is saved in this format. */
     const saved = async (format) => {
       await page.click("#open-share");
       const [download] = await Promise.all([

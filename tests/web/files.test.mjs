@@ -109,7 +109,7 @@ describeInBrowser("files", (open) => {
   });
 
   describe("exports", () => {
-    /** What is saved in this format, and its name. */
+    /** Returns the file that is saved in this format, and its name. */
     const saved = async (format) => {
       await page.click("#open-share");
       const [download] = await Promise.all([
@@ -126,7 +126,7 @@ describeInBrowser("files", (open) => {
       await page.waitForFunction((size) => app.diagram.size === size, size);
     };
 
-    /** What is on the page of a map of the Earth, and what the tag says of distances. */
+    /** Returns what is on the page of a map of the Earth, and what the tag says of distances. */
     const earth = () =>
       page.evaluate(async () => {
         const id = app.sites.ids.find((id) => app.sites.label(id).name === "Istanbul");

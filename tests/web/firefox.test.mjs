@@ -1,5 +1,5 @@
-// What visitors do most, in Firefox: by real mouse and keyboard, the state asserted through the
-// page's own model. Pages are Puppeteer's.
+// The commonest things that visitors do, in Firefox: by real mouse and keyboard, the state asserted
+// through the page's own model. Pages are Puppeteer's.
 import { describe, expect, test } from "@jest/globals";
 import {
   circlesOf,
@@ -161,7 +161,7 @@ describeInFirefox("the page in Firefox", (open) => {
   });
 
   describe("files", () => {
-    /** What would be saved in this format; nothing is. */
+    /** Returns what would be saved in this format; nothing is. */
     const saved = (format) =>
       page.evaluate(async (format) => {
         const { save } = app.parts;

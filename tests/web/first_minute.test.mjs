@@ -1,4 +1,4 @@
-// What the first page says about starting works as it is written, with the packed files in place of
+// The first page's lines about starting work as they are written, with the packed files in place of
 // those at their addresses.
 import { readFileSync } from "node:fs";
 import path from "node:path";

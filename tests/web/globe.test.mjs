@@ -78,7 +78,7 @@ describeInBrowser("globe", (open) => {
     const page = await open({ path: "examples/globe.html", ready: "example" });
     const [middle, taken] = [await onGlobe(page, [15, 28]), await onGlobe(page, [20, 10])];
     await drag(page, middle, taken);
-    // What was taken hold of has come along, as near as turning by two angles comes.
+    // The place that was taken hold of has come along, as near as turning by two angles comes.
     const after = await onGlobe(page, [15, 28]);
     expect(Math.hypot(after.x - taken.x, after.y - taken.y)).toBeLessThan(20);
     expect(Math.hypot(middle.x - taken.x, middle.y - taken.y)).toBeGreaterThan(90);

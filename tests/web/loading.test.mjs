@@ -1,4 +1,4 @@
-// What does not load, or cannot be read: the page says so, and works.
+// Files that do not load, or cannot be read: the page says so, and works.
 import { expect, test } from "@jest/globals";
 import { closePage, describeInBrowser, freeSpace, show, stateOf } from "./support/browser.mjs";
 

@@ -1,4 +1,4 @@
-// What is drawn, against the diagram: cells hold exactly the points nearest to their site, at any
+// The picture, against the diagram: cells hold exactly the points nearest to their site, at any
 // zoom; and a picture that was updated box by box equals one that was drawn anew.
 import { afterAll, beforeAll, expect, test } from "@jest/globals";
 import { describeInBrowser, show, showCircles } from "./support/browser.mjs";

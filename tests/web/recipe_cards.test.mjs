@@ -17,7 +17,7 @@ async function cardOf(page, title) {
 
 const endOf = (card) => card.and(card.page().locator(kHasEnded)).waitFor();
 
-/** What the sandbox of a card shows: how many shapes, and how many points of a canvas. */
+/** Counts what the sandbox of a card shows: shapes, and points of a canvas. */
 const shownIn = (card) =>
   card
     .frameLocator("iframe")

@@ -15,7 +15,7 @@ test("each example of the reference is a program of its own", async () => {
     await transform(program, { format: "esm", target: "esnext" }); // throws on a syntax error
     expect(program).toMatch(/^import |^(\/\/.*\n)*import /m);
   }
-  // What the comments say is printed.
+  // The printed lines are those of the comments.
   const find = programs.find((program) => program.includes("4 from Seal Rock"));
   expect(find).toContain("const id = diagram.find(52, 30);\nconsole.log(id); // 0: 2 from");
   expect(find).toContain("console.log(islands[id].name);");

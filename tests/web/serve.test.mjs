@@ -87,7 +87,7 @@ test("a port in use is passed over", async () => {
   await new Promise((resolve) => taken.close(resolve));
 });
 
-/** What the program prints first, when it is started like this. */
+/** Returns what the program prints first, when it is started like this. */
 const started = (args, env) =>
   new Promise((resolve, reject) => {
     const program = fileURLToPath(new URL("../../tools/serve.mjs", import.meta.url));

@@ -34,7 +34,7 @@ const kPhone = {
   hasTouch: true,
   isMobile: true,
 };
-/** The same the other way round, in long runs only. */
+/** The other way round, in long runs only. */
 const kOthers = isThorough
   ? [
       { ...kDesk, colorScheme: "light" },

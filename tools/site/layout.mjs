@@ -56,7 +56,7 @@ ${link(series[at + 1], "Next")}
 </nav>`;
 }
 
-/** What stands beside a page: open where there is room for it (page.ts). */
+/** The list beside a page: open where there is room for it (page.ts). */
 const sideHtml = (side) => `<nav class="side" aria-label="Calls"><details>
 <summary>Classes, entries, calls</summary>
 ${side}

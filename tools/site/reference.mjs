@@ -73,8 +73,8 @@ const printing = (code) =>
   });
 
 /**
- * What readers run for each block of code of the reference, by its text: with what its part begins
- * with.
+ * The programs that readers run for each block of code of the reference, by its text: with what its
+ * part begins with.
  */
 export function programsByCode() {
   const programs = new Map();
@@ -111,7 +111,7 @@ function callsByGroup({ sections: all }) {
   return groups;
 }
 
-/** What a list calls it: the name of the call. */
+/** The name of a call in a list. */
 const shortOf = ({ title }) =>
   title
     .replace(/^(function|interface|type) /, "")

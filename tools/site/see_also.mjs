@@ -1,4 +1,4 @@
-// What the site explains or shows of a call, by its heading in docs/API.md: addresses below the
+// Pages of the site that explain or show a call, by its heading in docs/API.md: addresses below the
 // site's folder.
 const asking = ["asking/", "Asking"];
 const hidden = ["hidden/", "Hidden circles"];

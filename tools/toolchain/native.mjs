@@ -1,4 +1,4 @@
-// What the native build needs: a C++20 compiler, CMake, GoogleTest's sources.
+// Tools of the native build: a C++20 compiler, CMake, GoogleTest's sources.
 import { spawnSync } from "node:child_process";
 import { existsSync } from "node:fs";
 import { ensureInstalled } from "./apt.mjs";
@@ -47,8 +47,8 @@ export function ensureValgrind() {
 }
 
 /**
- * What `g++ -m32` needs. Returns what to run its programs with: nothing, or an emulator where the
- * kernel does not run such programs (glibc's loader is one, and tells).
+ * Installs what `g++ -m32` needs. Returns what to run its programs with: nothing, or an emulator
+ * where the kernel does not run such programs (glibc's loader is one, and tells).
  */
 export function ensureThirtyTwoBits() {
   if (

@@ -17,12 +17,12 @@ const rooms = {
     /\/src\/(geometry\/|api\/(voronoi|area_fit|region|enclosing|narrowest))|\/bindings\/shapes\./,
   sphere: /\/src\/(sphere\/|api\/spherical_)|\/bindings\/sphere\./,
 };
-/** What JavaScript calls of a part first (wasm/bindings/parts.h), through exports of core. */
+/** The first calls of a part by JavaScript (wasm/bindings/parts.h), through exports of core. */
 const registrations = { registerShapes: "shapes", registerSphere: "sphere" };
 
 /**
- * What the module is compiled with (cmake/CompileFlags.cmake), and what places of the table without
- * a function need; browsers have had that longer than SIMD.
+ * Features that the module is compiled with (cmake/CompileFlags.cmake), and those that places of
+ * the table without a function need; browsers have had that longer than SIMD.
  */
 const features = [
   "reference-types",
@@ -39,7 +39,7 @@ const common = (a, b) => (a === b ? a : "core");
 
 /** The part of each function that the object files define; `core` if those of several do. */
 function partsByFolder(emscripten, built) {
-  // Of the sources that there are: a file that was moved has left its object file.
+  // Only sources that are there: a file that was moved has left its object file.
   const compiled = readFileSync(path.join(built, "compile_commands.json"), "utf8");
   const objects = [...compiled.matchAll(/ -o (CMakeFiles\/apollonius(?:_wasm)?\.dir\/\S+\.o) /g)];
   const output = capture(path.join(emscripten, "emnm"), [
@@ -167,7 +167,7 @@ export function splitWasm(emscripten, built, { debug = false } = {}) {
   }
 }
 
-/** What Binaryen calls the functions of a module without names, by their names in its map. */
+/** Binaryen's names of the functions of a module without names, by their names in its map. */
 function namesIn(file) {
   const imports = WebAssembly.Module.imports(new WebAssembly.Module(readFileSync(file)));
   const imported = imports.filter(({ kind }) => kind === "function").length;

@@ -90,7 +90,7 @@ async function bundled(program, { name = "program.jsx", isServer = false } = {})
 /** A script for a page, of a program that may import examples ("./…") and what they import. */
 export const bundledForPage = (program, name) => bundled(program, { name });
 
-/** What such a program prints in Node. */
+/** Returns what such a program prints in Node. */
 export async function printedByServer(program, name) {
   const file = path.join(programs, `${name}.mjs`);
   writeFileSync(file, await bundled(program, { name, isServer: true }));

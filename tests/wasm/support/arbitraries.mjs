@@ -1,4 +1,4 @@
-// What fast-check draws for calls of a diagram: small integers, of which many coincide.
+// Arbitraries of fast-check for calls of a diagram: small integers, of which many coincide.
 import fc from "fast-check";
 
 const coordinate = fc.integer({ min: -6, max: 6 });

@@ -1,5 +1,5 @@
-// What people expect of d3-delaunay, one by one, in words of our own: each is asked of d3-delaunay
-// and of the adapter. `differs` says why the two do not agree.
+// Expectations of d3-delaunay, one by one, in words of our own: each is asked of d3-delaunay and of
+// the adapter. `differs` says why the two do not agree.
 const square = [
   [0, 0],
   [1, 0],

@@ -64,7 +64,7 @@ export function valueIn(said) {
 
 const kNumber = /-?\d+(?:\.\d+)?(?:e[+-]?\d+)?/g;
 
-/** What a statement gives, in the way in which a comment has the value. */
+/** Writes the value of a statement as the comment does. */
 export function writtenAs(value, text) {
   const numbers = value.match(kNumber) ?? [];
   let k = 0;

@@ -2,7 +2,7 @@
 import { capture } from "../../../tools/toolchain/process.mjs";
 import { packed } from "./install_packed.mjs";
 
-/** What an ES module prints, without the last newline. */
+/** Returns what an ES module prints, without the last newline. */
 export function runInNode(source, options = []) {
   return capture(process.execPath, [...options, "--input-type=module", "--eval", source], {
     cwd: packed,
@@ -10,7 +10,7 @@ export function runInNode(source, options = []) {
   }).trimEnd();
 }
 
-/** What a CommonJS script prints, without the last newline. */
+/** Returns what a CommonJS script prints, without the last newline. */
 export function runScriptInNode(source, options = []) {
   return capture(process.execPath, [...options, "--input-type=commonjs", "--eval", source], {
     cwd: packed,

@@ -13,7 +13,7 @@ const policy =
   "worker-src 'self'; frame-src 'self'";
 const types = { ".js": "text/javascript", ".wasm": "application/wasm", ".html": "text/html" };
 
-// What page and worker scripts find before their own first line runs.
+// Page and worker scripts find this before their own first line runs.
 const report =
   "globalThis.report ??= (found) =>\n" +
   "  fetch(`/report${location.pathname}`, { method: 'POST', body: String(found) });\n" +

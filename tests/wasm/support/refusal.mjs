@@ -12,7 +12,7 @@ export function expectRefusal(call, code, message) {
   return expectTyped(error, code, message);
 }
 
-/** The same of a call that gives a promise, which is rejected; the call itself throws nothing. */
+/** Expects a call to return a promise that is rejected; the call itself throws nothing. */
 export async function expectRejection(call, code, message) {
   const error = await call().then(
     () => undefined,

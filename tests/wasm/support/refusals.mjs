@@ -1,4 +1,4 @@
-// What calls refuse, by the kind of their argument; for calls.mjs.
+// Refused arguments, by their kind; for calls.mjs.
 import { Diagram } from "../../../build/packed/consumer.mjs";
 
 export const NONE = 1000; // an id that no site has
@@ -22,7 +22,7 @@ export const number = (name, call) => [
   ["not-finite", (d) => call(d, "7"), `${name} is the string "7"`],
   ["out-of-range", (d) => call(d, -1e101), `${name} is -1e+101`],
 ];
-/** Of calls that let whole numbers be that no site has. */
+/** For calls that accept whole numbers without a site. */
 export const wholeNumber = (call) => [
   ["unknown-site", (d) => call(d, "0"), 'site the string "0" does not exist: ids are whole numb'],
   ["unknown-site", (d) => call(d, 0.5), "site 0.5 does not exist: ids are whole numbers, not"],
@@ -77,7 +77,7 @@ export const unknownOption = (call) => [
   ["bad-option", (d) => call(d, { tolerence: 1 }), "options.tolerence is unknown, expected {"],
   ["bad-option", (d) => call(d, 0.5), "options is 0.5, expected {"],
 ];
-/** Of calls that search thin windows: one that goes to and fro along a line. */
+/** A thin window, for calls that search windows: it goes to and fro along a line. */
 export const scribble = (() => {
   let state = 3;
   const next = () => {
@@ -102,14 +102,14 @@ export const aspects = (call) => [
   ["out-of-range", (d) => call(d, { aspect: 1001 }), "options.aspect is 1001, expected"],
   ...unknownOption(call),
 ];
-/** Of calls that give polygons. */
+/** For calls that give polygons. */
 export const polygons = (call) => [
   ...tolerance(call),
   ...unknownOption(call),
   ["bad-option", (d) => call(d, { flat: 1 }), "options.flat is 1, expected false or true"],
   ["bad-option", (d) => call(d, { nested: true }), "options.nested is unknown, expected { tol"],
 ];
-/** Of calls that look for weights. */
+/** For calls that look for weights. */
 export const fitting = (call) => [
   ["bad-length", (d) => call(d, { targets: [1] }), "targets has 1 elements, expected "],
   ["bad-length", (d) => call(d, { targets: null }), "targets is null, expected an array of num"],
@@ -145,7 +145,7 @@ export const interpolating = (call) => [
   ...number("options.r", (d, r) => call(d, [1, 2], { r })),
   ["bad-option", (d) => call(d, [1, 2], { radius: 1 }), "options.radius is unknown, expected {"],
 ];
-/** Of calls that draw: with options, and with a context. */
+/** For calls that draw: with options, and with a context. */
 export const drawing = (call, into) => [...tolerance(call), ...flat(call, into)];
 export const flat = (call, into) => [
   ...digits(call),

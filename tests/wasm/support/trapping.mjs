@@ -151,7 +151,7 @@ function codeOf(call) {
   }
 }
 
-/** What a call throws, or its promise is rejected with; undefined for none. */
+/** Returns what a call throws, or its promise is rejected with; undefined for none. */
 async function errorOf(call) {
   try {
     await call();
@@ -164,7 +164,7 @@ const bystander = build();
 const before = snapshot(bystander);
 const top = started[0].real.emscripten_stack_get_current();
 
-/** What is wrong with all the others, in words; "" if nothing is. */
+/** Says what is wrong with all the others; "" if nothing is. */
 function harm() {
   if (started.some(({ real }) => real.emscripten_stack_get_current() !== top)) return "stack";
   if (snapshot(bystander) !== before || validate(bystander) !== null) return "bystander";
@@ -178,7 +178,7 @@ function harm() {
 
 const isMaking = (name) => /\.(constructor|from|fromBytes)$/.test(name);
 
-/** What the calls of a diagram throw that has been broken. */
+/** Returns the codes that the calls of a broken diagram throw. */
 async function codesAfter(diagram, view) {
   const codes = new Set();
   for (const [name, { use }] of calls) {

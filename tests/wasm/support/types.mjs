@@ -1,4 +1,4 @@
-// What TypeScript makes of the packed package's types.
+// The packed package's types, as TypeScript reads them.
 import { mkdirSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { capture } from "../../../tools/toolchain/process.mjs";

@@ -94,11 +94,11 @@ startWithWebGL.open = openPage;
 export const describeInBrowser = (name, define) =>
   describeWith("Chromium", findChromium(), name, startChromium, define);
 
-/** The same with WebGL, which is slow to start. */
+/** As describeInBrowser, with WebGL, which is slow to start. */
 export const describeWithWebGL = (name, define) =>
   describeWith("Chromium", findChromium(), name, startWithWebGL, define);
 
-/** The same in Firefox; pages are Puppeteer's. */
+/** As describeInBrowser, in Firefox; pages are Puppeteer's. */
 export const describeInFirefox = (name, define, { colorScheme = "light" } = {}) =>
   describeWith("Firefox", findFirefox(), name, firefoxWith(colorScheme), define);
 
@@ -140,7 +140,7 @@ const becomeReady = (page, ready) =>
     : page.waitForFunction(whenReady, ready);
 
 /**
- * What Chromium says when an address of the machine comes or goes, in a container say. It drops
+ * Chromium says this when an address of the machine comes or goes, in a container say. It drops
  * what it is loading then, from the machine itself too.
  */
 const kNetworkChanged = "net::ERR_NETWORK_CHANGED";
@@ -214,7 +214,7 @@ async function openPage(browser, url, options = {}) {
   page.on("console", (message) => message.type() === "error" && fail(message.text()));
   page.on("pageerror", (error) => page.errors.push(String(error)));
   page.on("requestfailed", (request) => {
-    // What a page that is left had asked for is no failure.
+    // A page that is left drops its requests: no failure.
     const { errorText } = request.failure();
     if (errorText !== "net::ERR_ABORTED") fail(`failed: ${request.url()}, ${errorText}`);
   });

@@ -16,8 +16,8 @@ export async function touchInChromium(page, [from, ...others]) {
 }
 
 /**
- * The same. Its events come from the browser, as a mouse's do, but Firefox does not scroll by
- * them: only Chromium shows that a page does not scroll when a figure is touched.
+ * As touchInChromium. Its events come from the browser, as a mouse's do, but Firefox does not
+ * scroll by them: only Chromium shows that a page does not scroll when a figure is touched.
  */
 export async function touchInFirefox(page, [from, ...others]) {
   const finger = await page.touchscreen.touchStart(from.x, from.y);

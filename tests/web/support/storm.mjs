@@ -95,7 +95,7 @@ export async function storm(page, { seed, events }) {
 const wheel = (page, deltaY) =>
   page.mouse.wheel.length > 1 ? page.mouse.wheel(0, deltaY) : page.mouse.wheel({ deltaY });
 
-/** What is wrong with the diagram, with the page's copy of it, and with the selection. */
+/** Says what is wrong with the diagram, with the page's copy of it, and with the selection. */
 export const soundness = (page) =>
   page.evaluate(() => {
     const broken = app.parts.validate(app.diagram);
