@@ -36,7 +36,7 @@ export function destroy(native: Native): void {
 // count them; nobody writes to them, so that they take addresses only.
 
 const kBytesOfSite = 162; // docs/PROOFS.md, "What a site costs"
-const kStep = 64; // sites: the least that is counted for a diagram
+const kStep = 64; // sites; counts are rounded up to multiples: few sites take as much, too
 // Making a buffer takes some 0.1 ms, as long as making a diagram of 100 sites. So one is made only
 // when this many bytes have come together, which may be of many small diagrams.
 const kBytesOfBuffer = 4 << 20;
