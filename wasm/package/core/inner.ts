@@ -23,7 +23,7 @@ type Access = (diagram: unknown) => Inner | null | undefined;
 
 let access: Access;
 
-/** Sets the accessor. Called once, by DynamicDiagram: only that class can read its private field. */
+/** Sets the accessor. DynamicDiagram calls it once: only that class can read its private field. */
 export function provideInner(accessor: Access): void {
   access = accessor;
 }
