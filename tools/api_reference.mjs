@@ -27,12 +27,12 @@ const preface = `<!-- Made by npm run docs: edit wasm/package and docs/examples 
 
 # API reference
 
-Lengths are in the unit of the input, areas in its square. y points up; counter-clockwise assumes
-that. n is the number of sites, d the number of a site's neighbours. A call that fails throws an
-[ApolloniusError](#class-apolloniuserror) with a \`code\` and changes nothing. Where there is
-nothing to return, an id is -1, a list is empty, anything else is null; numbers in an array by id
-are NaN, or 0 if they are areas or lengths. In examples, the comment after a line is its result,
-rounded to the digits shown.
+Lengths are in the unit of the input, areas in its square. Counter-clockwise is meant with y up; on
+a screen, y down, it looks clockwise. n is the number of sites, d the number of a site's neighbours.
+A call that fails throws an [ApolloniusError](#class-apolloniuserror) with a \`code\` and changes
+nothing. Where there is nothing to return, an id is -1, a list is empty, anything else is null;
+numbers in an array by id are NaN, or 0 if they are areas or lengths. In examples, the comment after
+a line is its result, rounded to the digits shown.
 `;
 
 /**

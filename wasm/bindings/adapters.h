@@ -1,6 +1,6 @@
-// What the bindings of the parts share: functions that adapt the library to Embind. Results are
-// returned, errors thrown (arrays.h), records come in as numbers one by one, because Embind would
-// leak one if the call throws.
+// Functions that adapt the library to Embind, shared by the bindings of all parts. They return
+// results and throw errors (arrays.h). They take a record as separate numbers, because Embind would
+// leak a record if the call throws.
 #pragma once
 
 #include <emscripten/bind.h>
@@ -27,11 +27,11 @@ using emscripten::val;
 template <std::size_t k, class... Types>
 using Nth = std::tuple_element_t<k, std::tuple<Types...>>;
 
-/// -1 for kNoSite.
+/// Returns -1 for kNoSite.
 inline std::int32_t asSigned(SiteId id) { return static_cast<std::int32_t>(id); }
 
-/// `Error method(in..., Out& out)` of a class as a function of the object and `in` that returns
-/// `out`, an id as asSigned() does.
+/// Turns the method `Error method(in..., Out& out)` into a function of the object and `in` that
+/// returns `out`; an id as asSigned() does.
 template <auto method, class Class, class... Parameters, std::size_t... k>
 auto returning(Error (Class::*)(Parameters...), std::index_sequence<k...>) {
   return +[](Class& object, Nth<k, Parameters...>... in) {
@@ -159,7 +159,7 @@ double revision(const AnyDiagram& diagram) {
   return static_cast<double>(diagram.revision());
 }
 
-// --- Building in steps. The calls are the diagram's, which a trap in one of them breaks.
+// --- Building in steps. These are calls of the diagram: a trap in one of them breaks the diagram.
 
 /// The caller deletes it, before the diagram.
 template <class AnyBuilder, class AnyDiagram>
@@ -180,7 +180,7 @@ void readInto(AnyDiagram&, AnyBuilder& builder, const NumbersIn& bytes, bool isT
   check(builder.read(vectorOf<std::uint8_t>(bytes), source));
 }
 
-/// Is that all?
+/// Does up to `steps` steps. Is the building done?
 template <class AnyBuilder, class AnyDiagram>
 bool advance(AnyDiagram&, AnyBuilder& builder, std::size_t steps) {
   bool isDone = false;

@@ -1,5 +1,5 @@
-// How errors and arrays cross the border, for the bindings. A call that fails throws the number of
-// its Error. Arrays are copied, in both directions: a view of the memory dies when that grows.
+// How errors and arrays pass between C++ and JavaScript. A call that fails throws the number of its
+// Error. Arrays are copied in both directions: a view of the memory dies when the memory grows.
 #pragma once
 
 #include <emscripten/bind.h>
@@ -20,7 +20,8 @@ EMSCRIPTEN_DECLARE_VAL_TYPE(Float64Array)
 EMSCRIPTEN_DECLARE_VAL_TYPE(NumbersIn)   // a typed array of any kind
 EMSCRIPTEN_DECLARE_VAL_TYPE(NumbersOut)  // a typed array that is filled, or null
 
-/// A copy of a view; nothing if JavaScript has no room for it, which is no trap (embind_parts.js).
+/// Returns a copy of a view, or null if JavaScript has no room for it, without a trap
+/// (embind_parts.js).
 extern "C" emscripten::EM_VAL copied(emscripten::EM_VAL view);
 
 [[noreturn]] inline void fail(apollonius::Error error) {
@@ -31,7 +32,7 @@ inline void check(apollonius::Error error) {
   if (error != apollonius::Error::kNone) fail(error);
 }
 
-/// What an operation returns that allocates; lack of memory is thrown as an Error.
+/// Returns the result of an operation that allocates; throws a lack of memory as an Error.
 template <class Operation>
 auto allocating(Operation&& operation) {
   try {

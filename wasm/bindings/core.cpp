@@ -24,8 +24,8 @@ using apollonius::Circle;
 using apollonius::Diagram;
 using apollonius::NearestFirst;
 
-/// What the C++ runtime calls where an exception leaves what must not throw; nothing of ours does.
-/// Its own version prints a message, for which the module would have all of printf.
+/// The C++ runtime calls this when an exception leaves a function that must not throw, which never
+/// happens here. The runtime's own version prints a message and would link all of printf.
 extern "C" [[noreturn]] void abort_message(const char*, ...) { std::abort(); }
 
 namespace {
@@ -34,14 +34,15 @@ Diagram* create() {
   return allocating([&] { return new Diagram(); });
 }
 
-/// The new ids go to an array that is there before, so that nothing can fail when all are in.
+/// Writes the new ids to an existing array, so that nothing can fail after the insertion.
 void insertMany(Diagram& diagram, const NumbersIn& xyr, const NumbersOut& ids) {
   std::vector<SiteId> inserted;
   check(diagram.insertMany(vectorOf<double>(xyr), inserted));
   ids.call<void>("set", viewOf(inserted));
 }
 
-/// Holds nothing: a class's calls are registered through it, also later.
+/// The handle through which the calls of Diagram are registered, some of them later. It is empty
+/// until the module starts.
 std::optional<emscripten::class_<Diagram>> diagramClass;
 
 }  // namespace
@@ -115,7 +116,7 @@ void registerCore() {
       .field("sites", &apollonius::EdgeArrays::sites)
       .field("vertices", &apollonius::EdgeArrays::vertices);
 
-  // Of shapes and sphere.
+  // Records of the parts `shapes` and `sphere`.
   value_object<apollonius::RingArrays>("RingArrays")
       .field("coordinates", &apollonius::RingArrays::coordinates)
       .field("starts", &apollonius::RingArrays::starts)

@@ -21,7 +21,7 @@ using apollonius::Voronoi;
 
 namespace {
 
-/// The cells in a region, or in bounds if `region` is null; within a reach, if there is one.
+/// Returns the cells in a region, or in bounds if `region` is null; `reach` may be null.
 Voronoi voronoiIn(const Diagram& diagram, const Region* region, const Reach* reach,
                   const Bounds& bounds) {
   return region == nullptr ? Voronoi(diagram, bounds, reach) : Voronoi(diagram, *region, reach);
@@ -58,8 +58,8 @@ std::vector<double> interpolate(const Diagram& diagram, const Region* region, co
 
 enum class Drawing : std::uint8_t { kEdges, kSites, kDual, kDualWithRays, kHull };
 
-/// A part of a drawing, and where the next one begins; in `ends` of cells each one's site, and
-/// where its commands end.
+/// A part of a drawing. `cursor` is where the next part begins. For cells, `ends` holds each cell's
+/// site and where its commands end.
 struct Portion {
   std::vector<std::uint8_t> commands;
   std::vector<double> coordinates;
@@ -68,7 +68,7 @@ struct Portion {
   bool isDone = true;
 };
 
-/// About this many commands of a drawing, from the cursor on.
+/// Returns about this many commands of a drawing, from the cursor on.
 Portion draw(const Diagram& diagram, const Region* region, const Reach* reach, double xmin,
              double ymin, double xmax, double ymax, Drawing what, double tolerance,
              std::size_t cursor, std::size_t commands) {
@@ -76,7 +76,7 @@ Portion draw(const Diagram& diagram, const Region* region, const Reach* reach, d
   apollonius::Portion portion{cursor, commands};
   apollonius::Path path;
   allocating([&] {
-    // The last edges go beyond that number. Most are segments, of two commands and two points.
+    // The last edge may exceed that number. Most edges are segments: two commands and two points.
     const std::size_t room = commands + commands / 4;
     path.commands.reserve(room);
     path.coordinates.reserve(3 * room);
@@ -109,7 +109,7 @@ Portion drawCell(const Diagram& diagram, const Region* region, const Reach* reac
   return {std::move(path.commands), std::move(path.coordinates)};
 }
 
-/// About this many commands of all cells, from the cursor on.
+/// Returns about this many commands of all cells, from the cursor on.
 Portion drawCells(const Diagram& diagram, const Region* region, const Reach* reach, double xmin,
                   double ymin, double xmax, double ymax, double tolerance, std::size_t cursor,
                   std::size_t commands) {
@@ -121,8 +121,8 @@ Portion drawCells(const Diagram& diagram, const Region* region, const Reach* rea
           std::move(cells.ends), portion.cursor, portion.isDone};
 }
 
-/// The same as SVG path data: `commands` is the text. Not done and without a cell: some number has
-/// too many digits.
+/// Returns a part of all cells as SVG path data: `commands` is the text. If it is not done and has
+/// no cell, some number has too many digits.
 Portion cellPaths(const Diagram& diagram, const Region* region, const Reach* reach, double xmin,
                   double ymin, double xmax, double ymax, double tolerance, unsigned digits,
                   std::size_t cursor, std::size_t commands) {
@@ -133,15 +133,15 @@ Portion cellPaths(const Diagram& diagram, const Region* region, const Reach* rea
   return {std::move(paths.content), {}, std::move(paths.ends), portion.cursor, portion.isDone};
 }
 
-/// A region for windows on diagrams of this instance of the module.
+/// Makes a region for windows on diagrams of this instance of the module.
 Region* makeRegion(const Diagram&, const NumbersIn& coordinates, const NumbersIn& starts) {
   Region region;
   check(region.assign(vectorOf<double>(coordinates), vectorOf<std::uint32_t>(starts)));
   return allocating([&] { return new Region(std::move(region)); });
 }
 
-/// One distance for each of `ids`, which ascend; or, without these, one for all sites, or one for
-/// each id.
+/// Makes a reach of one distance for each of `ids`, which ascend. Without `ids`, `distances` has
+/// one number for all sites, or one for each id.
 Reach* makeReach(const Diagram&, const NumbersIn& distances, const NumbersIn& ids) {
   const std::vector<double> values = vectorOf<double>(distances);
   const std::vector<SiteId> sites = vectorOf<SiteId>(ids);
@@ -173,13 +173,13 @@ double defaultTolerance(const Diagram&, double xmin, double ymin, double xmax, d
   return apollonius::defaultTolerance({xmin, ymin, xmax, ymax});
 }
 
-/// With the region, where that is made for bounds.
+/// A fit of areas. `box` is its region if the window is bounds.
 struct Fitting {
   Region box;
   AreaFit fit;
 };
 
-/// The caller deletes it. If a target is bad, it has the site.
+/// Begins a fit, which the caller deletes. If a target is bad, badSite() gives its site.
 Fitting* fitAreas(const Diagram& diagram, const Region* region, const Reach* /*reach*/, double xmin,
                   double ymin, double xmax, double ymax, const NumbersIn& targets,
                   const NumbersIn& start) {
@@ -195,7 +195,7 @@ Fitting* fitAreas(const Diagram& diagram, const Region* region, const Reach* /*r
   if (error != Error::kBadTarget) check(error);
   return fitting.release();
 }
-/// The error after a step.
+/// Does a step and returns the error after it.
 double stepFit(Fitting& fitting) {
   check(fitting.fit.step());
   return fitting.fit.error();

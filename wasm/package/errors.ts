@@ -1,5 +1,5 @@
 /**
- * What went wrong, for programs.
+ * The kind of an error, for programs.
  * - "not-finite": a number is NaN or infinite, or what should be a number is something else
  * - "out-of-range": a magnitude above 1e100 (those below 1e-100 are taken as 0), or a count that
  *   is no whole number from 0 on
@@ -47,11 +47,11 @@ export type ErrorCode =
 export class ApolloniusError extends Error {
   /** Always "ApolloniusError". */
   declare readonly name: "ApolloniusError";
-  /** What went wrong, for programs. */
+  /** The kind of the error, for programs. */
   readonly code: ErrorCode;
 
   static {
-    // of the prototype, where engines look for it when they write the first line of the stack
+    // on the prototype, where engines look for it when they write the first line of the stack
     Object.defineProperty(ApolloniusError.prototype, "name", {
       value: "ApolloniusError",
       writable: true,

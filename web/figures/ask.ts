@@ -150,12 +150,20 @@ export default figure<State>({
     const answer = answerOf(state);
     if (call === "find" || call === "pick") return compared(diagram, at);
     const hidden = answer.filter((id) => diagram.isHidden(id)).length;
-    const many: Said = [hidden === 1 ? "one is hidden" : `${hidden} are hidden`, "hidden"];
+    const many: Said = [
+      hidden === 1 ? "one of them is hidden" : `${hidden} of them are hidden`,
+      "hidden",
+    ];
     const also: Said[] = hidden > 0 ? ["; ", many] : [];
     if (call === "within" && distance === 0)
       return [`Under the pointer: ${answer.length} of ${diagram.size} circles`, ...also, "."];
     if (call === "within")
-      return [`Not farther than ${distance}: `, [String(answer.length), "nearest"], ...also, "."];
+      return [
+        [`${answer.length} ${answer.length === 1 ? "circle" : "circles"}`, "nearest"],
+        ` within ${distance}`,
+        ...also,
+        ".",
+      ];
     return [`The ${count} nearest of ${diagram.size}, the nearest first`, ...also, "."];
   },
   controls: [

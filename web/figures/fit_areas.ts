@@ -99,9 +99,9 @@ export default figure<State>({
   },
   say({ fitted }) {
     return [
-      `After ${fitted.iterations} steps, no area differs from its share by more than `,
-      [`${fitted.error.toExponential(0)} of it`, "neighbor"],
-      fitted.converged ? "; asked for was 1e-6." : ": rounding leaves no less here.",
+      `After ${fitted.iterations} steps, the largest error of an area is `,
+      [fitted.error.toExponential(0), "neighbor"],
+      fitted.converged ? " of its share (target: 1e-6)." : ": rounding allows no less here.",
     ];
   },
   handles(state) {

@@ -179,7 +179,7 @@ export default figure<State>({
     const edge = (name: Diagonal) => `${name[0]}–${name[1]}`;
     return [
       found.length === 1
-        ? `Doubles, asked twice, say ${edge(found[0])}. `
+        ? `Doubles: both questions give ${edge(found[0])}. `
         : [`Doubles: ${found.length === 2 ? "edges that cross" : "a hole"}. `, "wrong"],
       ["The library: ", "dual"],
       `${edge(answer.exact)}. Of ${2 * kMost + 1} places, `,

@@ -107,7 +107,9 @@ export default figure<State>({
     const isWrong = centres.find(...at) !== circles.find(...at);
     const percent = `${Math.round(100 * share)} %`;
     return [
-      isWrong ? ["The first one is wrong here. ", "wrong"] : "Here both pick the same circle. ",
+      isWrong
+        ? ["Nearest centre picks the wrong bubble here. ", "wrong"]
+        : "Here both pick the same circle. ",
       "Picking by centre is wrong on ",
       [percent, "wrong"],
       " of this picture.",

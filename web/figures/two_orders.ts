@@ -133,7 +133,8 @@ export default figure<State>({
         ? [`All ${common} edges are the same`, "dual"]
         : [`${unlike} edges differ`, "wrong"],
       `; ${free} of them have the length 0, and only a rule can choose them. `,
-      `Pairs of orders tried: ${tried}; different: ${different}.`,
+      `Tried ${tried === 1 ? "1 pair" : `${tried} pairs`} of orders: `,
+      different === 0 ? "always the same." : `${different} differ.`,
     ];
   },
   tick(state, seconds) {

@@ -126,7 +126,7 @@ export default figure<State>({
   },
   say({ done, edges, compared, different, diagram, operations }) {
     const last = operations[done - 1];
-    const what = !last ? "" : !last.before ? " (it came)" : !last.after ? " (it went)" : " (moved)";
+    const what = !last ? "" : !last.before ? " (added)" : !last.after ? " (removed)" : " (moved)";
     return [
       `After ${done} operations${what}: ${diagram.size} circles, ${edges} edges. `,
       different === 0
@@ -166,7 +166,7 @@ export default figure<State>({
     },
     {
       kind: "button",
-      label: ({ going }) => (going > 0 ? "Stop" : "Do all"),
+      label: ({ going }) => (going > 0 ? "Stop" : "Redo all"),
       act: (state) => {
         state.going = state.going > 0 ? 0 : 1;
       },

@@ -162,7 +162,7 @@ export default figure<State>({
     },
     {
       kind: "button",
-      label: ({ isGoing }) => (isGoing ? "Stop" : "Go near"),
+      label: ({ isGoing }) => (isGoing ? "Stop" : "Zoom in"),
       act: (state) => {
         state.isGoing = !state.isGoing;
         if (state.isGoing && state.power >= kMost) state.power = 0;
@@ -170,11 +170,11 @@ export default figure<State>({
     },
     {
       kind: "choice",
-      label: "C is moved",
+      label: "Move C by 10⁻¹²",
       options: [
-        ["left", "C to the left"],
-        ["none", "not at all"],
-        ["right", "to the right"],
+        ["left", "left"],
+        ["none", "0"],
+        ["right", "right"],
       ],
       get: ({ moved }) => moved,
       set: (state, value) => {

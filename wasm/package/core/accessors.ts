@@ -24,7 +24,7 @@ import type { RadiusOption } from "./types.js";
  */
 export type Accessor<T> = (item: T, index: number, items: Items<T>) => number;
 
-/** What `Diagram.from` takes. */
+/** The items that `Diagram.from` takes. */
 export type Items<T> = Iterable<T> | ArrayLike<T>;
 
 type Accessors<T> = readonly (Accessor<T> | null | undefined)[];
@@ -32,28 +32,28 @@ type Accessors<T> = readonly (Accessor<T> | null | undefined)[];
 /** Items that are read in portions. */
 export interface Reader {
   readonly count: number;
-  /** The triples of the items from one to before another. */
+  /** Returns the triples of the items with indices from `from` to before `to`. */
   triples(from: number, to: number): ArrayLike<number>;
 }
 
-/** What `Diagram.from` reads without accessors. */
+/** An item that `Diagram.from` reads without accessors. */
 export type Circular =
   | { readonly x: number; readonly y: number; readonly r?: number | undefined }
   | ArrayLike<number>;
 
 /** The items of one kind of diagram. */
 export interface ItemKind {
-  /** What messages call the numbers of a site. */
+  /** The names of a site's numbers in messages. */
   readonly names: readonly [x: string, y: string, r: string];
   /** The name of an array of sites in messages. */
   readonly sites: string;
   /** The name of an array of points in messages. */
   readonly points: string;
-  /** What an item without accessors can be. */
+  /** The forms of an item that needs no accessors, in messages. */
   readonly expected: string;
-  /** The numbers of an item without accessors, of which r may be missing; undefined for no item. */
+  /** Returns the numbers of an item without accessors; r may be missing. undefined: no item. */
   fields(item: unknown): readonly [x: unknown, y: unknown, r: unknown] | undefined;
-  /** The error of the number at place `axis` of a site; null if it is accepted. */
+  /** Returns the error of the number with index `axis` of a site, or null if it is accepted. */
   error(name: string, axis: number, value: unknown): ApolloniusError | null;
 }
 
@@ -75,10 +75,13 @@ export const circles: ItemKind = {
   error: (name, _, value) => numberError(name, value),
 };
 
-/** Names of what may be meant for the radius of an item that has no r. */
+/** Names of properties that may be meant as the radius of an item that has no r. */
 const kOtherNames = ["radius", "size", "weight"];
 
-/** The radius of an item that has no r; one with a radius is refused, as nobody would read it. */
+/**
+ * Returns the radius of an item that has no r. Throws "bad-option" for an item with a `radius` or
+ * the like, which would be ignored.
+ */
 function radiusWithoutR(item: unknown, index: number): 0 {
   if (typeof item !== "object" || item === null) return 0;
   const name = kOtherNames.find((other) => other in item);
@@ -90,7 +93,7 @@ function radiusWithoutR(item: unknown, index: number): 0 {
   );
 }
 
-/** The remedy for an item with a longitude under whatever name, if there is no accessor of it. */
+/** Returns a hint for messages about an item that has a longitude, under one of some names. */
 function hintOfPlace(item: unknown): string {
   if (typeof item !== "object" || item === null) return "";
   const lon = ["lng", "lon", "longitude"].find((name) => name in item);
@@ -101,7 +104,7 @@ function hintOfPlace(item: unknown): string {
 /** Stands for an item whose coordinates are both read by accessors. */
 const kNothing = [undefined, undefined, undefined] as const;
 
-/** Items that are read in portions, whatever the accessors do to them. */
+/** Items that are read in portions. Accessors may change the list of items meanwhile. */
 class ItemReader<T> implements Reader {
   readonly count: number;
   readonly #kind: ItemKind;
@@ -141,8 +144,8 @@ class ItemReader<T> implements Reader {
   }
 
   /**
-   * The triples of the items from one to before another. Throws "not-finite" or "out-of-range",
-   * naming the item, for values that cannot be a site's.
+   * Returns the triples of the items with indices from `from` to before `to`. Throws "not-finite"
+   * or "out-of-range", naming the item, for values that cannot be a site's.
    */
   triples(from: number, to: number): Float64Array {
     const kind = this.#kind;
@@ -215,7 +218,7 @@ class FlatReader implements Reader {
 const isFlat = (items: unknown): items is ArrayLike<number> =>
   typedArrayKind(items) !== undefined || (Array.isArray(items) && typeof items[0] === "number");
 
-/** Options that come after items and accessors, and have these names. Throws "bad-option". */
+/** Splits the arguments after the items into accessors and options. Throws "bad-option". */
 export function accessorsAndOptions<T, Options extends object>(
   rest: unknown[],
   ...names: string[]

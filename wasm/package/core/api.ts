@@ -1,4 +1,4 @@
-// What the entry `apollonius-diagram/core` exports, whichever way the wasm comes.
+// The exports of the entry `apollonius-diagram/core`, however the wasm is loaded.
 export type {
   Accessor,
   Circular,

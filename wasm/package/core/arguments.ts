@@ -1,6 +1,6 @@
-// Argument checks, and the words for what is wrong with an argument. The library itself checks
-// numbers (once, in src/api); this file checks what only JavaScript can get wrong, and finds
-// the culprit after the library has said no.
+// Argument checks, and messages that say what is wrong with an argument. The library itself checks
+// numbers (once, in src/api). This file checks what only JavaScript can get wrong, and finds the
+// bad number after the library has refused one.
 import { ApolloniusError } from "../errors.js";
 
 // The documented range of magnitudes and the most sites: as in src/apollonius/types.h.
@@ -21,7 +21,7 @@ export function described(value: unknown): string {
   return String(value);
 }
 
-/** The error that a value deserves as coordinate or weight, or null if it is fine. */
+/** Returns the error of a value as a coordinate or weight, or null if it is accepted. */
 export function numberError(name: string, value: unknown): ApolloniusError | null {
   if (typeof value !== "number" || !Number.isFinite(value)) {
     return new ApolloniusError(
@@ -38,7 +38,7 @@ export function numberError(name: string, value: unknown): ApolloniusError | nul
   return null;
 }
 
-/** Takes a number as the library does (src/apollonius/types.h): below 1e-100, and -0, as 0. */
+/** Returns 0 for -0 and magnitudes below 1e-100, as the library does (src/apollonius/types.h). */
 export function taken(value: number): number {
   return Math.abs(value) < kSmallestMagnitude ? 0 : value;
 }
@@ -49,7 +49,7 @@ export function checkNumber(name: string, value: unknown): void {
   if (error) throw error;
 }
 
-/** How many of something: any whole number from 0 on. More than 2^32 - 1 is as good as that. */
+/** Checks a count: any whole number from 0 on, or Infinity. Returns at most 2^32 - 1. */
 export function checkedCount(name: string, value: unknown): number {
   if (typeof value !== "number" || Number.isNaN(value)) {
     throw new ApolloniusError(
@@ -66,7 +66,7 @@ export function checkedCount(name: string, value: unknown): number {
   return Math.min(value, 2 ** 32 - 1);
 }
 
-/** One of several words; the first one if the value is undefined. */
+/** Returns the value if it is one of several words; the first word if it is undefined. */
 export function checkedChoice<Word extends string | boolean>(
   name: string,
   value: unknown,
@@ -78,7 +78,7 @@ export function checkedChoice<Word extends string | boolean>(
   throw new ApolloniusError("bad-option", `${name} is ${described(value)}, expected ${expected}`);
 }
 
-/** Throws the first error of an array's elements; there may be none. */
+/** Throws the first error of an array's elements, if there is one. */
 export function throwFirst(
   values: ArrayLike<number>,
   errorOf: (value: number, k: number) => ApolloniusError | null,
@@ -93,12 +93,12 @@ export function isSiteId(id: unknown): id is number {
   return typeof id === "number" && id >>> 0 === id && id !== kNoSite;
 }
 
-/** Throws "unknown-site" for what cannot be an id. */
+/** Throws "unknown-site" for a value that cannot be an id. */
 export function checkSiteId(id: unknown): void {
   if (!isSiteId(id)) throw unknownSite(id);
 }
 
-/** Throws "unknown-site" for what is no id, rather than one that no site has, as -1 is. */
+/** Throws "unknown-site" for a value that is no whole number. (-1 is an id that no site has.) */
 export function checkWholeNumber(id: unknown): void {
   if (!Number.isInteger(id)) throw unknownSite(id);
 }
@@ -112,8 +112,8 @@ export function unknownSite(id: unknown): ApolloniusError {
   );
 }
 
-// What typed arrays say of themselves can be overwritten; what these say, whatever the realm,
-// cannot.
+// Getters of the properties of typed arrays. Properties of an object can be overwritten; these
+// getters read the true values, for typed arrays of any realm.
 const ofTypedArray = (property: string | symbol) =>
   Object.getOwnPropertyDescriptor(Object.getPrototypeOf(Uint8Array.prototype), property)
     ?.get as () => unknown;
@@ -129,14 +129,14 @@ export function isArrayLike(values: unknown): values is ArrayLike<unknown> {
   );
 }
 
-/** "Float64Array" and so on for typed arrays, of whatever realm; undefined for anything else. */
+/** Returns "Float64Array" and so on for typed arrays of any realm; undefined for anything else. */
 export function typedArrayKind(values: unknown): string | undefined {
   return kindOf.call(values) as string | undefined;
 }
 
 /**
- * A typed array as a new view of the same memory, whose length is the true one. Anything else, and
- * what has lost its memory, as it is.
+ * Returns a new view of a typed array's memory, so that `length` cannot be faked. Returns other
+ * values unchanged, and arrays that have lost their memory.
  */
 export function plainView(values: unknown): unknown {
   const kind = typedArrayKind(values);
@@ -148,8 +148,8 @@ export function plainView(values: unknown): unknown {
 }
 
 /**
- * Has a typed array lost its elements, because its buffer went to another thread or shrank? Then it
- * looks empty, which is hardly what the caller means.
+ * Has a typed array lost its elements, because its buffer went to another thread or shrank? It then
+ * looks empty, which the caller hardly means.
  */
 export function isDetached(values: unknown): boolean {
   if (typedArrayKind(values) === undefined || views[2]!.call(values) !== 0) return false;
@@ -180,15 +180,15 @@ function checkedArray(name: string, given: unknown, of: string): ArrayLike<unkno
   return values;
 }
 
-/** Throws if there are more sites than one diagram can hold; before any of them is read. */
+/** Throws if there are more sites than one diagram can hold. To call before any of them is read. */
 export function checkSiteCount(name: string, count: number): void {
   if (count > kMostSites)
     throw new ApolloniusError("too-large", `${name} holds ${count} sites, expected at most 2^29`);
 }
 
 /**
- * The bytes of a buffer, or what is a Uint8Array, of whatever realm and wherever in its buffer;
- * throws "bad-length".
+ * Returns the bytes of an ArrayBuffer or of a Uint8Array of any realm, which may be a part of its
+ * buffer. Throws "bad-length".
  */
 export function checkedBytes(name: string, given: unknown): Uint8Array {
   const bytes = isArrayBuffer(given) ? new Uint8Array(given) : given;
@@ -201,7 +201,7 @@ export function checkedBytes(name: string, given: unknown): Uint8Array {
   return checkedArray(name, bytes, "bytes") as Uint8Array;
 }
 
-/** Is it an ArrayBuffer, of whatever realm, that still has its memory? */
+/** Is it an ArrayBuffer of any realm that still has its memory? */
 function isArrayBuffer(given: unknown): given is ArrayBuffer {
   try {
     ArrayBuffer.prototype.slice.call(given as ArrayBuffer, 0, 0);
@@ -219,7 +219,7 @@ export function outOfMemory(): ApolloniusError {
   );
 }
 
-/** A new typed array; that there can be none of that length is a lack of memory. */
+/** Returns a new typed array. Throws "out-of-memory" if there can be none of that length. */
 export function allocated<Values>(make: () => Values): Values {
   try {
     return make();
@@ -229,8 +229,9 @@ export function allocated<Values>(make: () => Values): Values {
 }
 
 /**
- * Numbers that can be copied to the heap in one go: typed arrays as they are, anything else element
- * by element, so that strings and nulls are refused and not turned into numbers.
+ * Returns numbers that can be copied to the heap in one go. Typed arrays are returned as they are.
+ * Anything else is copied element by element, so that strings and nulls are refused and not turned
+ * into numbers.
  */
 export function checkedNumbers(
   name: string,
@@ -246,7 +247,7 @@ interface ArrayNames {
   readonly points: string;
 }
 
-/** `checkedNumbers` for triples of new sites, or for pairs where `r` is given. */
+/** Does `checkedNumbers` for triples of new sites, or for pairs where `r` is given. */
 export function checkedNewSites(
   { sites, points }: ArrayNames,
   values: unknown,
@@ -258,13 +259,13 @@ export function checkedNewSites(
   return copied(name, array);
 }
 
-/** The radius that an option gives to all sites; undefined for none. Throws "not-finite". */
+/** Returns the radius that an option gives to all sites, or undefined. Throws "not-finite". */
 export function checkedR(r: unknown): number | undefined {
   if (r === undefined || (typeof r === "number" && Number.isFinite(r))) return r;
   throw numberError("options.r", r) as ApolloniusError;
 }
 
-/** Triples of pairs and radii, which are one for all or one for each; or the triples given. */
+/** Returns triples of pairs with one radius for all, or one for each; without `r`, `numbers`. */
 export function triplesOf(
   numbers: ArrayLike<number>,
   r: number | ArrayLike<number> | undefined,
@@ -291,7 +292,7 @@ function counted(name: string, values: unknown, multipleOf: number): ArrayLike<u
   return array;
 }
 
-/** The error of an element that is no number; rows of numbers are what Diagram.from takes. */
+/** Returns the error of an element that is no number, with a hint at `from` for rows of numbers. */
 function elementError(name: string, k: number, value: unknown): ApolloniusError {
   const error = numberError(`${name}[${k}]`, value) as ApolloniusError;
   if (typeof value !== "object" || value === null) return error;
@@ -317,8 +318,8 @@ function copied(name: string, array: ArrayLike<unknown>): ArrayLike<number> {
 }
 
 /**
- * Site ids for the heap; those that no site can have become kNoSite. Throws "unknown-site" for what
- * is no id.
+ * Returns site ids for the heap, with kNoSite for numbers that no site can have as id. Throws
+ * "unknown-site" for a value that is no whole number.
  */
 export function checkedIds(name: string, ids: unknown): Uint32Array {
   const array = checkedArray(name, ids, "site ids");
@@ -335,7 +336,7 @@ export function checkedIds(name: string, ids: unknown): Uint32Array {
 
 type Bounds = [number, number, number, number];
 
-/** Four numbers xmin, ymin, xmax, ymax; throws "bad-bounds". */
+/** Returns four numbers xmin, ymin, xmax, ymax; throws "bad-bounds". */
 export function checkedNumbersOfBounds(bounds: ArrayLike<unknown>): Bounds {
   return ["xmin", "ymin", "xmax", "ymax"].map((name, k) => {
     const value = bounds[k]; // read once: a getter may say something else the next time
@@ -345,7 +346,7 @@ export function checkedNumbersOfBounds(bounds: ArrayLike<unknown>): Bounds {
   }) as unknown as Bounds;
 }
 
-/** A window [xmin, ymin, xmax, ymax] with xmin < xmax and ymin < ymax; throws "bad-bounds". */
+/** Checks a window [xmin, ymin, xmax, ymax]: xmin < xmax, ymin < ymax; throws "bad-bounds". */
 export function checkedBounds(bounds: unknown): Bounds {
   if (!isArrayLike(bounds) || bounds.length !== 4) {
     throw new ApolloniusError(
@@ -365,7 +366,7 @@ export function disorderedBounds(bounds: Bounds, order: "<" | "<="): ApolloniusE
   );
 }
 
-/** A positive number for which there is a default; throws "not-finite" or "out-of-range". */
+/** Returns a positive number, by default `usual()`; throws "not-finite" or "out-of-range". */
 export function checkedTolerance(tolerance: unknown, usual: () => number): number {
   if (tolerance === undefined) return usual();
   if (typeof tolerance !== "number" || !Number.isFinite(tolerance))
@@ -380,7 +381,7 @@ export function checkedTolerance(tolerance: unknown, usual: () => number): numbe
 
 // --- Options as callers give them: an unknown name is probably misspelt --------------------------
 
-/** Throws "bad-option" unless these are options, or nothing, and have no other names than these. */
+/** Throws "bad-option" unless `options` is undefined, null or an object with these names only. */
 export function checkOptions(options: unknown, ...names: string[]): void {
   if (options === undefined || options === null) return;
   if (isIndex(options) && !names.includes("maxDistance") && !names.includes("r")) return;
@@ -390,10 +391,10 @@ export function checkOptions(options: unknown, ...names: string[]): void {
     if (!names.includes(name)) throw badOptions(`options.${name} is unknown`, names);
 }
 
-/** Is it an index, which `map` gives in the place of options: `ids.map(view.cellPolygon, view)`? */
+/** Is it an index, which `map` passes in place of options: `ids.map(view.cellPolygon, view)`? */
 const isIndex = (options: unknown): boolean => Number.isInteger(options) && Number(options) >= 0;
 
-/** A number where options stand is a radius for d3-quadtree, and for d3-delaunay a start. */
+/** Returns the error; a number may be meant as d3-quadtree's radius or d3-delaunay's start. */
 function badOptions(what: string, names: string[], isNumber = false): ApolloniusError {
   const hint =
     isNumber && names.includes("maxDistance")

@@ -9,9 +9,9 @@ import type { Builder, NativeDiagram } from "./native/module.js";
 import type { AsyncOptions } from "./types.js";
 
 const kSlice = 8; // milliseconds
-const kItems = 256; // read, or inserted, between two looks at the clock
+const kItems = 256; // items that are read, or inserted, between two looks at the clock
 const kAll = 2 ** 32 - 1; // steps
-const kReading = 0.1; // of the whole work, about
+const kReading = 0.1; // approximate share of the whole work
 
 /** A turn of the event loop, without the four milliseconds that timers wait for in browsers. */
 function turn(): Promise<void> {
@@ -86,7 +86,7 @@ export function buildOrDispose(
   });
 }
 
-/** Makes an empty diagram what a snapshot has saved. */
+/** Restores a snapshot into an empty diagram. */
 export function restore(diagram: DynamicDiagram<unknown>, bytes: unknown, isTrusted: boolean) {
   const { native, ballast, builder } = builderOf(diagram, 0);
   try {
@@ -98,7 +98,7 @@ export function restore(diagram: DynamicDiagram<unknown>, bytes: unknown, isTrus
   ballast.carry(native.size());
 }
 
-/** The same in slices; disposes of the diagram if that fails. */
+/** Restores a snapshot into an empty diagram in slices; disposes of the diagram if that fails. */
 export function restoreOrDispose(
   diagram: DynamicDiagram<unknown>,
   bytes: unknown,
@@ -114,14 +114,14 @@ function give(native: NativeDiagram, builder: Builder, bytes: unknown, isTrusted
   native.readInto(builder, checkedBytes("bytes", bytes), isTrusted);
 }
 
-/** The inside of a diagram, and a builder for this many items; the sphere has the same calls. */
+/** Returns the inside of a diagram of the plane or the sphere, and a builder for `count` items. */
 function builderOf(diagram: DynamicDiagram<unknown>, count: number) {
   const { native: any, ballast } = innerOf(diagram);
   const native = any as NativeDiagram;
   return { native, ballast, builder: native.builder(count) as Builder };
 }
 
-/** Gives a builder its work, which takes that share of the time, and has it done. */
+/** Gives a builder its work with `begin`, which takes that share of the time, and completes it. */
 async function inSlices(
   diagram: DynamicDiagram<unknown>,
   options: AsyncOptions,

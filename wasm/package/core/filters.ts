@@ -1,5 +1,5 @@
-// Searches that leave out the sites which the caller's filter does not let through: walks over the
-// sites around a point, nearest first, to those that pass.
+// Searches with the caller's filter: walks over the sites around a point, nearest first, that leave
+// out the sites which do not pass the filter.
 import { ApolloniusError } from "../errors.js";
 import { allocated, described } from "./arguments.js";
 import type { Filters, Inner } from "./inner.js";
@@ -28,7 +28,7 @@ export function filtering<Answer>(filters: Filters, ask: () => Answer): Answer {
   }
 }
 
-/** What `use` makes of a walk, which ends it. */
+/** Returns the answer of `use`, which may call filters; then deletes the walk. */
 function walking<Answer>(walk: Walk, filters: Filters, use: () => Answer): Answer {
   try {
     return filtering(filters, use);
@@ -37,7 +37,7 @@ function walking<Answer>(walk: Walk, filters: Filters, use: () => Answer): Answe
   }
 }
 
-/** Takes the first `most` sites of a walk that the filter lets through. Ends the walk. */
+/** Takes the first `most` sites of a walk that pass the filter. Ends the walk. */
 function takeFirst(
   walk: Walk,
   most: number,
@@ -56,20 +56,20 @@ function takeFirst(
   });
 }
 
-/** The first `most` sites of a walk that the filter lets through. Ends the walk. */
+/** Returns the first `most` sites of a walk that pass the filter. Ends the walk. */
 export function firstOf(walk: Walk, most: number, filter: Filter, filters: Filters): Uint32Array {
   const found: number[] = [];
   takeFirst(walk, most, filter, filters, (id) => found.push(id));
   return allocated(() => Uint32Array.from(found));
 }
 
-/** A filter that is asked once a site. */
+/** Returns a filter that calls the given one only once for each site. */
 function askedOnce(filter: Filter): Filter {
   const said: boolean[] = [];
   return (id) => (said[id] ??= Boolean(filter(id)));
 }
 
-/** What firstOf() says at each of many points. The filter is asked once a site. */
+/** Returns the list of firstOf() for each of many points. Calls the filter once for each site. */
 export function listsThrough(
   { filters }: Inner,
   filter: Filter,
@@ -78,7 +78,7 @@ export function listsThrough(
   most: number,
   walkFrom: (x: number, y: number) => Walk,
 ): NearbyLists {
-  // of its own, as the filter may change those of the caller
+  // a copy, as the filter may change the caller's array
   const points = allocated(() => new Float64Array(given));
   const starts = allocated(() => new Uint32Array(points.length / 2 + 1));
   const passes = askedOnce(filter);
@@ -99,8 +99,8 @@ export function listsThrough(
 }
 
 /**
- * The first site of a walk that passes; with `isAbove`, of those that contain the point the first
- * that no other is above. null if none passes. Ends the walk.
+ * Returns the first site of a walk that passes the filter; with `isAbove`, among those that contain
+ * the point, the topmost. null if none passes. Ends the walk.
  */
 export function passing(
   walk: Walk,
@@ -111,7 +111,7 @@ export function passing(
   return walking(walk, filters, () => {
     let best: FoundSite | null = null;
     for (let id = walk.next(); id !== -1; id = walk.next()) {
-      const distance = walk.distance(); // of the right sign
+      const distance = walk.distance(); // its sign is exact
       if (best && distance > 0) break;
       if (!filter(id)) continue;
       if (!isAbove || distance > 0) return { id, distance };
@@ -141,7 +141,7 @@ function amongPassing<Native extends AnyNative, Answer>(
   }
 }
 
-/** Asks a diagram of the sites that pass, and gives the id of the answer in the given diagram. */
+/** Asks a diagram of the sites that pass. Returns the answer with its id in the given diagram. */
 export function foundAmong(
   inner: Inner,
   filter: Filter,
@@ -155,19 +155,20 @@ export function foundAmong(
   );
 }
 
-/** How a call about many points answers: with ids, -1 for none. */
+/** The two searches of a call about many points. An id of -1 means no site. */
 interface Questions<Native extends AnyNative> {
-  /** Without a filter; fills in the distances, if there is an array. */
+  /** Answers at all points without a filter; fills in the distances, if there is an array. */
   all(of: Inner<Native>, points: ArrayLike<number>, distances?: Float64Array): Int32Array;
-  /** At one point with a filter. */
+  /** Answers at one point with a filter. */
   one(x: number, y: number, filter: Filter): FoundSite | null;
 }
 
 /**
- * The answers at many points with a filter, which is asked once a site. Where the site that is
- * found without it does not pass, a walk finds another. When walks have looked at as many sites as
- * there are, a diagram of those that pass takes less than further ones may, and gives the rest. So
- * all cost no more than a small multiple of what the better of the two takes.
+ * Returns the answers at many points with a filter, which is called once for each site. Where the
+ * site that is found without the filter does not pass, a walk finds another one. When walks have
+ * looked at as many sites as the diagram has, a diagram of the sites that pass is built, which
+ * costs less than further walks may, and gives the other answers. So the total cost is at most a
+ * small multiple of the cheaper way.
  */
 export function throughFilter<Native extends AnyNative>(
   inner: Inner<Native>,
@@ -176,7 +177,7 @@ export function throughFilter<Native extends AnyNative>(
   { all, one }: Questions<Native>,
 ): NearestSites {
   const { native } = inner;
-  // of its own, as the filter may change those of the caller
+  // a copy, as the filter may change the caller's array
   const points = allocated(() => new Float64Array(given));
   const distances = allocated(() => new Float64Array(points.length / 2));
   const ids = all(inner, points, distances);

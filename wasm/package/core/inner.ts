@@ -1,16 +1,16 @@
-// What the objects of both classes of diagrams hold, and how functions in other files reach it.
+// The contents of diagrams of both classes, and how functions in other files reach them.
 import { ApolloniusError } from "../errors.js";
 import { described } from "./arguments.js";
 import type { Ballast } from "./native/lifetime.js";
 import type { AnyNative, NativeDiagram } from "./native/module.js";
 import { plane, type Space } from "./space.js";
 
-/** How many filters and other functions of callers are running: none may change the diagram. */
+/** The number of callers' functions, as filters, that run now: none may change the diagram. */
 export interface Filters {
   running: number;
 }
 
-/** The diagram in the module, and what calls of it need besides. */
+/** The diagram in the module, and everything else that its calls need. */
 export interface Inner<Native extends AnyNative = AnyNative> {
   readonly native: Native;
   readonly space: Space;
@@ -18,20 +18,20 @@ export interface Inner<Native extends AnyNative = AnyNative> {
   readonly ballast: Ballast;
 }
 
-/** null after dispose(), undefined if it is no diagram. */
+/** Returns the inside of a diagram: null after dispose(), undefined if it is no diagram. */
 type Access = (diagram: unknown) => Inner | null | undefined;
 
 let access: Access;
 
-/** Called once, by DynamicDiagram, whose private field only that class can read. */
+/** Sets the accessor. DynamicDiagram calls it once: only that class can read its private field. */
 export function provideInner(accessor: Access): void {
   access = accessor;
 }
 
 /**
- * The inside of the object that a method is called on. Throws "bad-option" if that is no diagram,
- * "disposed" after dispose(), and "busy" if the call `changes` the diagram while a function that it
- * asks runs.
+ * Returns the inside of the object that a method is called on. Throws "bad-option" if that is no
+ * diagram, "disposed" after dispose(), and "busy" if the call `changes` the diagram while a
+ * function that the diagram called, as a filter, is running.
  */
 export function innerOf(diagram: unknown, changes = false): Inner {
   const inner = access(diagram);
@@ -45,21 +45,21 @@ export function innerOf(diagram: unknown, changes = false): Inner {
   return inner;
 }
 
-/** As innerOf; throws "bad-option" also for a diagram of the sphere. */
+/** Does innerOf() for the plane; throws "bad-option" also for a diagram of the sphere. */
 export function planarOf(diagram: unknown, changes = false): Inner<NativeDiagram> {
   const inner = innerOf(diagram, changes);
   if (inner.space !== plane) throw wrongReceiver(diagram);
   return inner as Inner<NativeDiagram>;
 }
 
-/** The diagram in the module, of the plane. */
+/** Returns the diagram in the module of a diagram of the plane. */
 export function nativeOf(diagram: unknown, changes = false): NativeDiagram {
   return planarOf(diagram, changes).native;
 }
 
 /**
- * The error of a method that was taken off its object, or called on another, or on one of another
- * copy of the package.
+ * Returns the error of a method that was detached from its object, or called on a foreign object,
+ * or on a diagram of another copy of the package.
  */
 export function wrongReceiver(receiver: unknown): ApolloniusError {
   const isForeign = !access(receiver) && /Diagram]$/.test(Object.prototype.toString.call(receiver));

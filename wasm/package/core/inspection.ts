@@ -1,12 +1,12 @@
-// What a diagram says to those who know nothing of diagrams: comparisons of objects, structured
-// cloning, consoles.
+// How diagrams appear to tools that know nothing of them: object comparison, structured cloning,
+// consoles.
 import { ApolloniusError, type ErrorCode } from "../errors.js";
 import type { ListedSite, Sites } from "./types.js";
 
 /** The name of the method by which Node, Deno and Bun describe an object. */
 export const kInspect: unique symbol = /* @__PURE__ */ Symbol.for("nodejs.util.inspect.custom");
 
-// Cannot be cloned; engines put its description into the error that the attempt throws.
+// A symbol cannot be cloned; engines put its description into the error that the attempt throws.
 const kNoClone = /* @__PURE__ */ Symbol("A Diagram, which toBytes() and fromBytes() copy,");
 
 /** A diagram, of the plane or of the sphere. */
@@ -16,14 +16,14 @@ interface Inspected {
   sites(): unknown;
 }
 
-/** A view of one. */
+/** A view of a diagram. */
 interface InspectedView {
   readonly diagram: Inspected;
   readonly [Symbol.toStringTag]: string;
 }
 
-// A property of the object's own: of nothing else do `assert.deepStrictEqual` and `structuredClone`
-// take notice, for which all diagrams would be {}.
+// An own property of the object: `assert.deepStrictEqual` and `structuredClone` ignore all others,
+// and without it they would take every diagram for {}.
 const kContent: PropertyDescriptor = {
   enumerable: true,
   get(this: Inspected) {
@@ -31,12 +31,12 @@ const kContent: PropertyDescriptor = {
   },
 };
 
-/** Gives a new diagram a property by which different ones differ, and which nobody can clone. */
+/** Gives a new diagram a property in which unequal diagrams differ and that cannot be cloned. */
 export function showContent(diagram: Inspected): void {
   Object.defineProperty(diagram, "content", kContent);
 }
 
-/** The sites one by one, as they are when the first is asked for. */
+/** Gives the sites one by one, as they were when the first one was asked for. */
 export function* listed(ask: () => Sites): Generator<ListedSite, void> {
   const { ids, xyr, hidden } = ask();
   for (let k = 0; k < ids.length; ++k) {
@@ -45,15 +45,15 @@ export function* listed(ask: () => Sites): Generator<ListedSite, void> {
   }
 }
 
-/** A diagram in a few words; never throws. */
+/** Describes a diagram in a few words; never throws for a disposed or broken one. */
 export function summary(diagram: Inspected, name: string): string {
   const numbers = () => `size: ${diagram.size}, hidden: ${diagram.hiddenSize}`;
   return `${name} { ${unlessEnded(numbers)} }`;
 }
 
 /**
- * Gives a new view the words in which consoles show it. A property of its own, as bundlers keep a
- * class whose methods have computed names, whether it is used or not.
+ * Gives a new view the words in which consoles show it, as an own property. A method with a
+ * computed name would make bundlers keep its class even where it is unused.
  */
 export function showInWords(view: InspectedView, window = ""): void {
   const { diagram } = view;
@@ -62,7 +62,7 @@ export function showInWords(view: InspectedView, window = ""): void {
   Object.defineProperty(view, kInspect, { value: words });
 }
 
-/** What `ask` gives, or "disposed" or "broken". */
+/** Returns the answer of `ask`, or "disposed" or "broken" if it throws that. */
 function unlessEnded<Answer>(ask: () => Answer): Answer | ErrorCode {
   try {
     return ask();

@@ -1,18 +1,17 @@
-// Drawing: portions of commands from the library, played into anything that draws, or written as an
-// SVG path.
+// Drawing: plays commands from the library into any context, or writes them as an SVG path.
 import { ApolloniusError } from "../errors.js";
 import { checkOptions, described } from "./arguments.js";
 
 /**
- * What can be drawn into: a canvas context, a Path2D, a d3-path, or anything else with these four
+ * The target of drawing: a canvas context, a Path2D, a d3-path, or anything else with these four
  * methods.
  */
 export interface PathContext {
   /** Starts a new piece. */
   moveTo(x: number, y: number): void;
-  /** Goes on straight. */
+  /** Adds a segment. */
   lineTo(x: number, y: number): void;
-  /** Goes on along a cubic Bezier curve. */
+  /** Adds a cubic Bezier curve. */
   bezierCurveTo(x1: number, y1: number, x2: number, y2: number, x: number, y: number): void;
   /** Closes the piece. */
   closePath(): void;
@@ -21,12 +20,12 @@ export interface PathContext {
 /** How to draw. */
 export interface DrawOptions {
   /**
-   * Largest distance between a drawn curve and the true one, in the diagram's unit, > 0. By default
-   * 2^-13 of the window's diagonal, a sixth of a pixel where that is 1300 pixels, and not more than
+   * Largest distance between a drawn curve and the true one, in the diagram's unit, > 0. Default:
+   * 2^-13 of the window's diagonal (a sixth of a pixel if the diagonal is 1300 pixels), but at most
    * a small share of a cell or curve, so that small ones keep their shapes.
    */
   tolerance?: number | undefined;
-  /** Decimal places of the numbers in a path string, 0 to 15; by default all that they have. */
+  /** Decimal places of the numbers in a path string, 0 to 15. Default: all. */
   digits?: number | undefined;
 }
 
@@ -36,8 +35,8 @@ const kLine = 1;
 const kCurve = 2;
 
 /**
- * Plays commands and their coordinates, which begin at element `k`: the commands from one to before
- * another. Returns where their coordinates end.
+ * Plays the commands with indices from `from` to before `to` into the context. Their coordinates
+ * begin at element `k` of `xy`. Returns where they end.
  */
 export function play(
   context: PathContext,
@@ -82,7 +81,7 @@ export function checkedDigits(digits: number | undefined): number | undefined {
   );
 }
 
-/** Writes what is drawn as SVG path data. */
+/** A context that writes SVG path data. */
 export class PathString implements PathContext {
   #text = "";
   readonly #scale: number | undefined;
@@ -112,7 +111,7 @@ export class PathString implements PathContext {
   #number(x: number): number {
     if (this.#scale === undefined) return x;
     const rounded = Math.round(x * this.#scale) / this.#scale;
-    return Number.isFinite(rounded) ? rounded : x; // numbers so large have no decimal places
+    return Number.isFinite(rounded) ? rounded : x; // numbers that large have no decimal places
   }
 }
 

@@ -61,7 +61,7 @@ function walkFrom(inner: Inner, x: number, y: number, limit: number): Walk {
   return atPoint(inner, x, y, (native) => native.nearestFirst(x, y, limit)) as Walk;
 }
 
-/** Without the distance where nobody asks for it: on the sphere it costs as much as the search. */
+/** Finds the site without its distance, which on the sphere costs as much as the search. */
 export function find(inner: Inner, x: number, y: number, options: FindOptions | undefined): number {
   if (options === undefined) return atPoint(inner, x, y, (native) => native.find(x, y));
   checkTypes(inner, x, y);
@@ -86,10 +86,10 @@ export function nearest(
   return found.id === -1 ? null : found;
 }
 
-/** So few points are asked one by one sooner than their arrays are copied to the heap and back. */
+/** Up to this count, single calls beat copying the arrays to the heap and back. */
 const kFew = 16;
 
-/** The nearest site of each point; fills in the distances, if there is an array. */
+/** Returns the nearest site of each point; fills in the distances, if there is an array. */
 function findAll(
   inner: Inner,
   numbers: ArrayLike<number>,
@@ -147,7 +147,7 @@ export function nearestMany(
 
 // --- The farthest site ---------------------------------------------------------------------------
 
-/** The site whose far side is the farthest. */
+/** Returns the site whose far side is the farthest. */
 export function farthest(
   inner: Inner,
   x: number,
@@ -302,7 +302,7 @@ function pickThrough(
   );
 }
 
-/** What `pick` says of each point; most are in no circle, and the nearest site is the answer. */
+/** Picks at each point. Most points are in no circle: for them the nearest site is the answer. */
 function pickAll(inner: Inner, numbers: ArrayLike<number>, [limit, top]: Picking): Int32Array {
   const distances = allocated(() => new Float64Array(numbers.length / 2));
   const ids = findAll(inner, numbers, limit, distances);

@@ -1,21 +1,22 @@
-// The difference between plane and sphere, for the calls that both kinds of diagrams have: what
-// messages call a number, and which numbers are accepted. The library itself checks the numbers of
-// a call. Only after it has refused one is that number looked for here, to be named in the message.
+// The difference between plane and sphere, for the calls that both kinds of diagrams have: the
+// names of numbers in messages, and which numbers are accepted. The library itself checks the
+// numbers of a call. Only if it refuses one, this file looks for that number, to name it in the
+// message.
 import type { ApolloniusError } from "../errors.js";
 import { checkSiteId, isSiteId, numberError, throwFirst, unknownSite } from "./arguments.js";
 import { type AnyNative, runningModule } from "./native/module.js";
 import { ofSite, refusesNumbers } from "./native/native_errors.js";
 
 export interface Space {
-  /** What messages call the numbers of a site. */
+  /** The names of a site's numbers in messages. */
   readonly names: readonly [x: string, y: string, r: string];
-  /** What messages call an array of sites. */
+  /** The name of an array of sites in messages. */
   readonly sites: string;
-  /** What messages call an array of points. */
+  /** The name of an array of points in messages. */
   readonly points: string;
-  /** The error of the number at place `axis` of a site; null if it is accepted. */
+  /** Returns the error of the number with index `axis` of a site, or null if it is accepted. */
   error(name: string, axis: number, value: unknown, native: AnyNative): ApolloniusError | null;
-  /** An empty diagram of the same kind. */
+  /** Returns an empty diagram of the same kind. */
   empty(like: AnyNative): AnyNative;
 }
 
@@ -34,7 +35,7 @@ interface Asked<Native extends AnyNative = AnyNative> {
   readonly space: Space;
 }
 
-/** The first error of the numbers of a site. */
+/** Returns the first error of a site's numbers, or null. */
 function errorOf({ native, space }: Asked, numbers: Numbers): ApolloniusError | null {
   for (const [axis, value] of numbers.entries()) {
     const error = space.error(space.names[axis] as string, axis, value, native);
@@ -43,15 +44,13 @@ function errorOf({ native, space }: Asked, numbers: Numbers): ApolloniusError | 
   return null;
 }
 
-/**
- * Throws unless x, y and r are of type number; what number they may be is the library's to check.
- */
+/** Throws unless x, y and r are of type number. The library itself checks their values. */
 export function checkTypes(asked: Asked, x: unknown, y: unknown, r: unknown = 0): void {
   if (typeof x !== "number" || typeof y !== "number" || typeof r !== "number")
     throw errorOf(asked, [x, y, r]);
 }
 
-/** The error of a call with scalars, of which the message names the first bad one. */
+/** Returns the error of a call with scalars; its message names the first bad one. */
 export function ofNumbers(
   error: unknown,
   asked: Asked,
@@ -62,7 +61,10 @@ export function ofNumbers(
   return refusesNumbers(error) ? (errorOf(asked, [x, y, r]) ?? error) : error;
 }
 
-/** The error of a call with sites or points, `perItem` numbers each; it names the first bad one. */
+/**
+ * Returns the error of a call with sites or points of `perItem` numbers each, or throws one that
+ * names the first bad number.
+ */
 export function ofItems(
   error: unknown,
   { native, space }: Asked,
@@ -76,7 +78,7 @@ export function ofItems(
 }
 
 /**
- * A diagram of which `id` is a site, for calls that say nothing of unknown ones. Throws
+ * Returns the diagram if it has the site `id`, for calls that do not check ids themselves. Throws
  * "unknown-site".
  */
 export function withSite<Native extends AnyNative>(native: Native, id: number): Native {
@@ -84,7 +86,7 @@ export function withSite<Native extends AnyNative>(native: Native, id: number): 
   return native;
 }
 
-/** What `ask` says of a site; errors name it. */
+/** Returns the answer of `ask` about a site; errors name its id. */
 export function ofOne<Native extends AnyNative, Answer>(
   native: Native,
   id: number,
@@ -98,7 +100,7 @@ export function ofOne<Native extends AnyNative, Answer>(
   }
 }
 
-/** What `ask` says of the numbers of a site; errors name the first bad one. */
+/** Returns the answer of `ask` about a site's numbers; errors name the first bad one. */
 export function atSite<Native extends AnyNative, Answer>(
   asked: Asked<Native>,
   x: number,
@@ -114,7 +116,7 @@ export function atSite<Native extends AnyNative, Answer>(
   }
 }
 
-/** What `ask` says of a point; errors name the coordinate. */
+/** Returns the answer of `ask` about a point; errors name the coordinate. */
 export function atPoint<Native extends AnyNative, Answer>(
   asked: Asked<Native>,
   x: number,

@@ -1,10 +1,10 @@
-// The records that a diagram takes and gives.
+// The records that diagrams take and return.
 
 /** A circle: centre and radius (weight), in the unit of the input. */
 export interface Site {
-  /** Of the centre. */
+  /** The centre's x. */
   x: number;
-  /** Of the centre; upwards. */
+  /** The centre's y, which points upwards. */
   y: number;
   /** Radius, or weight; may be negative, as only differences matter to the diagram. */
   r: number;
@@ -12,7 +12,7 @@ export interface Site {
 
 /** A site with its id, as `for (const site of diagram)` gives it. */
 export interface ListedSite extends Site {
-  /** Of the site. */
+  /** The site's id. */
   id: number;
   /** Whether its cell is empty, because another site covers it. */
   hidden: boolean;
@@ -56,8 +56,8 @@ export interface Edges {
   /** The two sites of each edge. */
   sites: Uint32Array;
   /**
-   * Its two ends as rows of `vertices()`, -1 for an unbounded end; the first site's cell is on the
-   * left on the way.
+   * The two ends of each edge as rows of `vertices()`, -1 for an unbounded end. From the first end
+   * to the second, the first site's cell is on the left.
    */
   vertices: Int32Array;
 }
@@ -65,8 +65,8 @@ export interface Edges {
 /** Options of the constructor of `Diagram`, of `from` and `insertMany`. */
 export interface RadiusOption {
   /**
-   * The radius (weight) of all sites: numbers are then pairs of coordinates, and of items only
-   * these are read. Default: numbers are triples, and items have radii of their own.
+   * The radius (weight) of all sites: numbers are then pairs of coordinates, and only the
+   * coordinates of items are read. Default: numbers are triples, and items have their own radii.
    */
   r?: number | undefined;
 }
@@ -94,8 +94,7 @@ export interface BuildOptions extends RadiusOption, AsyncOptions {}
 /** Options of `Diagram.fromBytes`. */
 export interface SnapshotOptions {
   /**
-   * true: skip the verification, for bytes that come from `toBytes` and that nobody has changed.
-   * Default: false.
+   * true: skip the verification, for unchanged bytes from `toBytes`. Default: false.
    */
   trusted?: boolean | undefined;
 }
@@ -119,8 +118,8 @@ export interface FilterOptions {
 /** Options of `find`, `nearest`, `findMany`, `nearestMany` and `kNearest`. */
 export interface FindOptions extends FilterOptions {
   /**
-   * Sites that are farther are left out; those at that very distance count. Negative: the point
-   * must be that deep inside. Default: Infinity.
+   * The largest distance: sites that are farther are left out. Negative: the point must be at least
+   * that deep inside the circle. Default: Infinity.
    */
   maxDistance?: number | undefined;
 }
@@ -144,19 +143,19 @@ export interface WithinManyOptions extends FilterOptions {
 /** Options of `kNearestMany`. */
 export interface KNearestManyOptions extends FindOptions, WithinManyOptions {}
 
-/** A site that a point asks for. */
+/** The site that a query has found for a point. */
 export interface FoundSite {
   /** The id of the site. */
   id: number;
-  /** From the point to the site, rounded; to its far side, if the farthest was asked for. */
+  /** Distance from the point to the site, rounded; for `farthest`, to the circle's far side. */
   distance: number;
 }
 
 /** The nearest site of each of several points. */
 export interface NearestSites {
-  /** -1 where no site is found. */
+  /** The id of each point's nearest site, -1 where no site is found. */
   ids: Int32Array;
-  /** Infinity where no site is found. */
+  /** The distance of each point to its site, Infinity where no site is found. */
   distances: Float64Array;
 }
 
@@ -167,7 +166,7 @@ export interface NearestSites {
 export interface NearbyLists {
   /** All lists, one after the other. */
   ids: Uint32Array;
-  /** One number more than there are points. */
+  /** Where each point's list begins in `ids`; one number more than there are points. */
   starts: Uint32Array;
   /** The distance of each site of `ids`, if asked for. */
   distances?: Float64Array;

@@ -1,14 +1,14 @@
-// What the library says of a cell, in the form that callers get.
+// Turns the library's arrays of a cell into the form that callers get.
 import type { CellMeasures, CoverageArrays, RingArrays } from "../../../build/wasm/apollonius.mjs";
 import { positionsOf } from "./geojson.js";
 import type { CellRing, Measures } from "./types.js";
 
-/** The rings of a cell, one after the other, and what they become. */
+/** The rings of a cell, one after the other, and whether callers get them as flat arrays. */
 export interface Rings extends RingArrays {
   isFlat: boolean;
 }
 
-/** One ring: to each further ring and around it, then back the same way. */
+/** Joins rings to one: it goes to each further ring and around it, then back the same way. */
 export function joined({ isFlat, coordinates, starts }: Omit<Rings, "parts">): CellRing | null {
   if (starts.length < 2) return null;
   const ends = [...starts.subarray(0, -2).reverse()];
@@ -17,7 +17,7 @@ export function joined({ isFlat, coordinates, starts }: Omit<Rings, "parts">): C
   return isFlat ? ring : positionsOf(ring);
 }
 
-/** The ring of the k-th of several cells. */
+/** Returns the ring of the k-th of several cells. */
 export function ringOf(
   { coordinates, starts, parts, cells }: CoverageArrays,
   k: number,

@@ -1,4 +1,4 @@
-// Drawings of the library's, played into whatever can draw.
+// Plays the library's drawings into any context.
 import type { MainModule } from "../../../build/wasm/apollonius.mjs";
 import { checkedBounds, checkedTolerance, checkOptions } from "../core/arguments.js";
 import type { NativeReach, NativeRegion, NativeShapes } from "../core/native/module.js";
@@ -6,10 +6,10 @@ import { drawn, type DrawOptions, type PathContext, play } from "../core/path.js
 import type { Bounds } from "../core/types.js";
 import type { DualOptions } from "./types.js";
 
-/** What the library can draw. */
+/** The drawings that the library can make. */
 export type Drawing = keyof MainModule["Drawing"];
 
-/** A region or null, how far cells reach or null, and bounds, which count without a region. */
+/** A region or null, a reach of cells or null, and bounds, which count if there is no region. */
 export type NativeWindow = readonly [
   NativeRegion | null,
   NativeReach | null,
@@ -22,14 +22,14 @@ export type NativeWindow = readonly [
 // Commands in one portion of a drawing: few enough to stay in the processor's cache.
 const kPortion = 4096;
 
-/** As the library takes it: 0 is the default. */
+/** Returns the tolerance as the library takes it: 0 means the default. */
 export function toleranceOf(options: { tolerance?: number | undefined } | undefined): number {
   return checkedTolerance(options?.tolerance, () => 0);
 }
 
 /**
- * Draws portion by portion, between which the context may do anything: even change the diagram, or
- * dispose of the view, whose `windowNow` throws then.
+ * Draws portion by portion. While a portion is played, the context may even change the diagram, or
+ * dispose of the view; `windowNow` then throws.
  */
 export function drawInto(
   context: PathContext,
@@ -46,7 +46,7 @@ export function drawInto(
   }
 }
 
-/** The border of a window. */
+/** Draws the border of a window. */
 export function drawBounds(
   target: PathContext,
   native: NativeShapes,
@@ -64,7 +64,7 @@ export function drawBounds(
   target.closePath();
 }
 
-/** A whole diagram. Without bounds, those of the circles say what tolerance cannot be seen. */
+/** Draws a whole diagram. Without bounds, the box of all circles gives the default tolerance. */
 export function drawWhole(
   native: NativeShapes,
   what: Drawing,
@@ -79,7 +79,7 @@ export function drawWhole(
   );
 }
 
-/** The dual graph of a whole diagram. */
+/** Draws the dual graph of a whole diagram. */
 export function drawDual(
   native: NativeShapes,
   context: PathContext | null | undefined,
@@ -92,7 +92,7 @@ export function drawDual(
   return drawWhole(native, bounds ? "dualWithRays" : "dual", bounds, context, drawing);
 }
 
-/** The box of all circles. */
+/** Returns the box of all circles. */
 function extentOf(native: NativeShapes): Bounds {
   const { xmin, ymin, xmax, ymax } = native.extent();
   return [xmin, ymin, xmax, ymax];

@@ -1,4 +1,4 @@
-// `fitAreas`: the library's steps, one by one, and what is asked and told between them.
+// `fitAreas`: the library's steps, one by one, with progress and stopping between steps.
 import {
   checkedChoice,
   checkedCount,
@@ -25,7 +25,7 @@ import type {
 
 const kOptions = ["tolerance", "maxIterations", "strict", "start", "onIteration"];
 
-/** The weights are the diagram's then. */
+/** Finds the weights and gives them to the diagram. */
 export function fitAreas(
   native: NativeShapes,
   windowNow: () => NativeWindow,
@@ -42,7 +42,7 @@ export function fitAreas(
   }
 }
 
-/** The same, with a turn of the event loop between steps. */
+/** Does `fitAreas` with turns of the event loop between steps. */
 export async function fitAreasAsync(
   native: NativeShapes,
   windowNow: () => NativeWindow,
@@ -65,7 +65,7 @@ export async function fitAreasAsync(
   }
 }
 
-/** For weights, step by step, in a diagram of its own. */
+/** The search for weights, step by step, in a diagram of its own. */
 class Search {
   readonly #native: NativeShapes;
   readonly #tolerance: number;
@@ -100,7 +100,7 @@ class Search {
     this.#progress = { iterations: 0, error: this.#firstError };
   }
 
-  /** One step; false if there are no more to take. */
+  /** Does one step; returns false if none is left to do. */
   advance(): boolean {
     const { iterations, error } = this.#progress;
     if (!(error > this.#tolerance)) return false;
@@ -124,8 +124,8 @@ class Search {
   }
 
   /**
-   * The share that is done, from 0 to 1, which never falls: of the orders of magnitude between the
-   * first error and the tolerance.
+   * Returns the share that is done, from 0 to 1, which never falls. It is measured in orders of
+   * magnitude between the first error and the tolerance.
    */
   share(): number {
     const way = Math.log(this.#firstError / this.#tolerance);

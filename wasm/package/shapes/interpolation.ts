@@ -1,5 +1,5 @@
-// Natural neighbours of one place, and values interpolated by them at many: of views of the plane
-// and of the sphere.
+// Natural neighbours of a point, and values that they interpolate at many points, for views of the
+// plane and of the sphere.
 import { allocated, checkedNumbers, checkOptions } from "../core/arguments.js";
 import { Slices } from "../core/building.js";
 import type { Inner } from "../core/inner.js";
@@ -16,16 +16,16 @@ import type {
   NumbersById,
 } from "./types.js";
 
-const kPoints = 1024; // interpolated between two looks at the clock
+const kPoints = 1024; // points that are interpolated between two looks at the clock
 
 /** The parts of a view that interpolation needs. */
 export interface Asked<Native extends AnyNative> {
-  /** How far its cells reach. */
+  /** How far the view's cells reach. */
   readonly limit: MaxDistance;
-  /** Asked again after each look at the caller's objects, which can do anything, as dispose. */
+  /** Called again after each read of the caller's objects, as these may even dispose the view. */
   innerNow(): Inner<Native>;
   weights(native: Native, x: number, y: number, r: number): NaturalWeights;
-  /** A value for each point. */
+  /** Returns a value for each point. */
   values(
     native: Native,
     known: ArrayLike<number>,
@@ -34,7 +34,7 @@ export interface Asked<Native extends AnyNative> {
   ): Float64Array;
 }
 
-/** The weight of the new sites. */
+/** Returns the weight of the new sites. */
 function weightOf({ native, space }: Inner, options: InterpolationOptions | undefined): number {
   const r = options?.r ?? 0;
   const error = space.error("options.r", 2, r, native);
@@ -42,7 +42,10 @@ function weightOf({ native, space }: Inner, options: InterpolationOptions | unde
   return r;
 }
 
-/** null without sites, where a new cell would have no part, and beyond the reach of cells. */
+/**
+ * Returns null if there are no sites, if the new cell would have no part in the window, or if the
+ * point is beyond the reach of its cell.
+ */
 export function naturalWeights<Native extends AnyNative>(
   { limit, innerNow, weights }: Asked<Native>,
   x: number,
@@ -73,7 +76,7 @@ export function interpolate<Native extends AnyNative>(
   return field.at(checkedNumbers(space.points, points, 2));
 }
 
-/** The same, with a turn of the event loop between some thousand points. */
+/** Does `interpolate` in slices, with a turn of the event loop after each. */
 export async function interpolateAsync<Native extends AnyNative>(
   asked: Asked<Native>,
   values: NumbersById,
@@ -96,7 +99,7 @@ export async function interpolateAsync<Native extends AnyNative>(
   return results;
 }
 
-/** Values by id, of a diagram as long as that stays as it is. */
+/** A field that is given by values of sites. It is valid until the diagram changes. */
 class Field<Native extends AnyNative> {
   readonly #asked: Asked<Native>;
   readonly #known: ArrayLike<number>;
@@ -117,7 +120,7 @@ class Field<Native extends AnyNative> {
     this.#revision = inner.native.revision();
   }
 
-  /** Throws "busy" if the diagram has changed. */
+  /** Returns the field at points. Throws "busy" if the diagram has changed. */
   at(points: ArrayLike<number>): Float64Array {
     const inner = this.#asked.innerNow();
     const { native } = inner;

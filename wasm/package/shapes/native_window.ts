@@ -1,9 +1,9 @@
-// What a window of a Voronoi has in the module, for diagrams of the same instance.
+// The parts of a view's window in the module, for diagrams of the same instance.
 import { keep } from "../core/native/lifetime.js";
 import type { NativeReach, NativeRegion, NativeShapes } from "../core/native/module.js";
 import { ApolloniusError } from "../errors.js";
 
-/** A region in the diagram's instance of the module, that lives as long as its owner. */
+/** Makes a region in the diagram's instance of the module, which lives as long as its owner. */
 export function createRegion(
   owner: object,
   diagram: NativeShapes,
@@ -24,7 +24,7 @@ export function createRegion(
   return native;
 }
 
-/** How far all cells reach. Lives as long as its owner. */
+/** Makes a reach, one for all cells, which lives as long as its owner. */
 export function createReach(owner: object, diagram: NativeShapes, limit: number): NativeReach {
   const native = diagram.reach([limit], []) as NativeReach;
   keep(owner, native);

@@ -4,12 +4,12 @@ import type { Bounds } from "../core/types.js";
 import { ApolloniusError } from "../errors.js";
 
 /**
- * A closed ring: points, of which further numbers (heights) are ignored, or flat x, y, … (the first
- * one may be repeated at the end).
+ * A closed ring: an array of points [x, y], whose further numbers (heights) are ignored, or flat x,
+ * y, …. The first point may be repeated at the end.
  */
 export type Ring = ArrayLike<ArrayLike<number>> | ArrayLike<number>;
 
-/** What a GeoJSON object needs to be a window. */
+/** A GeoJSON object that can be a window. */
 export type GeoJSONRegion =
   | { readonly type: "Polygon"; readonly coordinates: ArrayLike<Ring> }
   | { readonly type: "MultiPolygon"; readonly coordinates: ArrayLike<ArrayLike<Ring>> }
@@ -21,20 +21,21 @@ export type GeoJSONRegion =
 
 /**
  * A window of any shape: a ring, several rings, or GeoJSON (a Polygon, a MultiPolygon, a Feature of
- * either, or a FeatureCollection of these; coordinates are taken as plane ones). What
- * `cellPolygon`, `cellParts` and `toGeoJSON` return is one, too.
+ * either, or a FeatureCollection of these; coordinates are taken as plane ones). The results of
+ * `cellPolygon`, `cellParts` and `toGeoJSON` are regions, too.
  *
- * Inside is where a line to infinity crosses the rings an odd number of times (even-odd rule),
- * whatever their directions: holes and islands are rings like any other. Rings may cross and touch
- * themselves and each other, repeat points, and overlap, where they cancel.
+ * A point is inside if a line from it to infinity crosses the rings an odd number of times
+ * (even-odd rule), whatever their directions: holes and islands are rings like any other. Rings may
+ * cross and touch themselves and each other, repeat points, and overlap: overlaps of two rings are
+ * outside.
  */
 export type Region = Ring | ArrayLike<Ring> | ArrayLike<ArrayLike<Ring>> | GeoJSONRegion;
 
 /** A disc: its centre and its radius, > 0. */
 export interface Disc {
-  /** Coordinate of the centre. */
+  /** The centre's x. */
   readonly x: number;
-  /** Coordinate of the centre; upwards. */
+  /** The centre's y, which points upwards. */
   readonly y: number;
   /** Radius, > 0. */
   readonly r: number;
@@ -46,27 +47,27 @@ export interface Disc {
  */
 export type WindowShape = Bounds | Region | Disc;
 
-/** Rings for the library: all points, and the first of each ring, and their number. */
+/** Rings for the library: all points; the index of each ring's first, and the number of points. */
 export interface FlatRings {
   // New arrays, for TypeScript before 5.7, too, where the types of arrays are not generic.
   coordinates: ReturnType<Float64Array["slice"]>;
   starts: ReturnType<Uint32Array["slice"]>;
 }
 
-/** What may be bounds with its elements as they are now: getters may say something else later. */
+/** Copies an array that may be bounds: getters of its elements may give other values later. */
 export function readOnce<Window>(window: Window): Window | unknown[] {
   if (!isArrayLike(window) || window.length !== 4) return window;
   return [0, 1, 2, 3].map((k) => window[k]);
 }
 
-/** Is it to be read as a window of any shape, rather than as bounds? */
+/** Is it a window of any shape, rather than bounds? */
 export function isRegion(window: unknown): boolean {
   if (isArrayLike(window))
     return isArrayLike(window[0]) || (window.length >= 6 && typeof window[0] === "number");
   return typeof window === "object" && window !== null && ("type" in window || "r" in window);
 }
 
-/** The rings of a region; throws "bad-bounds", naming ring and point. */
+/** Returns the rings of a region; throws "bad-bounds", naming ring and point. */
 export function checkedRings(region: unknown): FlatRings {
   const coordinates: number[] = [];
   const starts = [0];
@@ -81,7 +82,7 @@ function bad(message: string): ApolloniusError {
 
 const kHalvings = 7; // how often each quarter of a disc's circle is halved
 
-/** The circle of a disc as a ring; undefined if it is none. Throws "bad-bounds". */
+/** Returns the circle of a disc as a ring; undefined if it is no disc. Throws "bad-bounds". */
 function ringOfDisc(disc: unknown): [number, number][] | undefined {
   if (typeof disc !== "object" || disc === null || isArrayLike(disc) || !("r" in disc))
     return undefined;
@@ -110,10 +111,10 @@ function ringOfDisc(disc: unknown): [number, number][] | undefined {
   return directions.map(([u, v]) => [x + r * u, y + r * v]);
 }
 
-/** GeoJSON's types that make a window; each may hold those behind it. */
+/** The GeoJSON types that can be a window; each may hold those after it. */
 const kTypes = ["FeatureCollection", "Feature", "Polygon", "MultiPolygon"];
 
-/** What is in a GeoJSON object of one of the types, or the thing itself. */
+/** Returns the rings in a GeoJSON object of one of the types; arrays are returned unchanged. */
 function ringsOf(region: unknown, types = kTypes): unknown {
   if (isArrayLike(region)) return region;
   const { type, geometry, features, coordinates } = (region ?? {}) as Record<string, unknown>;
@@ -133,7 +134,7 @@ function ringsOf(region: unknown, types = kTypes): unknown {
   );
 }
 
-// Collections hold multi-polygons, these polygons, these rings.
+// The depth of nesting: collections hold multi-polygons, these hold polygons, these hold rings.
 const kDeepest = 3;
 
 function addRings(given: unknown, coordinates: number[], starts: number[], depth: number): void {

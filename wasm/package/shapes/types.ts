@@ -1,16 +1,15 @@
-// What the calls of Voronoi take and return.
+// The types that the calls of Voronoi take and return.
 import type { DrawOptions } from "../core/path.js";
 import type { AsyncOptions, Bounds, Edges, Position, Vertices } from "../core/types.js";
 
 // --- Fits, windows, questions --------------------------------------------------------------------
 
-/** How far `fitAreas` has come. */
+/** The progress of `fitAreas`. */
 export interface FitProgress {
   /** Steps so far. */
   iterations: number;
   /**
-   * The largest deviation of an area from what it is to be, as a share of that. Need not fall with
-   * each step.
+   * The largest relative error of an area, against its target. It need not fall with each step.
    */
   error: number;
 }
@@ -27,7 +26,7 @@ export type NumbersById =
 /** The areas of all cells, in any unit, each above 0. */
 export type AreaTargets = NumbersById;
 
-/** What a new site would take from the cells of others: `voronoi.naturalWeights`. */
+/** The parts that a new site would take from other cells, as `naturalWeights` returns them. */
 export interface NaturalWeights {
   /** The natural neighbours. */
   ids: Uint32Array;
@@ -124,7 +123,7 @@ export interface ViewOptions {
   maxDistance?: MaxDistance | undefined;
 }
 
-/** What `diagram.voronoi(window, options)` takes. */
+/** Options of `diagram.voronoi(window, options)`. */
 export interface VoronoiOptions extends ViewOptions {
   /**
    * For a diagram of projected places: the window is given in longitude and latitude, bounds as
@@ -143,7 +142,7 @@ export interface Projection {
   invert(point: Position): Position | null;
 }
 
-/** What `fitAreas` has reached. */
+/** The result of `fitAreas`. */
 export interface FittedAreas extends FitProgress {
   /**
    * Whether `error` is within the tolerance. If it is not, the weights are right up to their last
@@ -167,7 +166,7 @@ export interface AsyncInterpolationOptions extends InterpolationOptions, AsyncOp
 
 /** Options of `fitAreas`. */
 export interface FitOptions {
-  /** The largest `error` that is good enough, > 0. Default: 1e-6. */
+  /** The search ends when `error` is at most this, > 0. Default: 1e-6. */
   tolerance?: number | undefined;
   /** Most steps. Default: 300. */
   maxIterations?: number | undefined;
@@ -193,7 +192,7 @@ export interface AsyncFitOptions extends FitOptions, AsyncOptions {
   /**
    * Called after each slice with the share that is done, from 0 to 1, which never falls: how far
    * the least `error` so far has come from the first one to the tolerance, by orders of magnitude.
-   * How many steps are left it cannot tell. The last call gets 1, before the diagram changes. It
+   * It does not tell how many steps are left. The last call gets 1, before the diagram changes. It
    * may throw.
    */
   onProgress?: ((done: number) => void) | undefined;
@@ -263,7 +262,7 @@ export interface CellCurves {
 export interface Measures {
   /** Area; 0 if no part of the cell is inside. */
   area: number;
-  /** null if the area is 0. */
+  /** Centroid; null if the area is 0. */
   centroid: Position | null;
   /** Length of the boundary, the window's parts included. */
   perimeter: number;

@@ -76,16 +76,16 @@ import type {
 } from "./types.js";
 import { windowOf } from "./window.js";
 
-// A region has a note for each face of the diagram: ten bytes a site, where Ballast counts 162.
+// A region stores a note for each face of the diagram: ten bytes a site, where Ballast counts 162.
 const kRegionsOfSite = 16;
 
-// Cells that a generator asks for at once: few at first, so that it starts at once; and some
-// hundred kilobytes of points at most.
+// Numbers of cells that a generator asks for in one call: few at first, so that it starts at once;
+// at most some hundred kilobytes of points.
 const [kFirstCells, kMostCells] = [256, 8192];
 
-/** The window of a call, with how far cells reach during that. */
+/** The window of a call, with the reach of cells during the call. */
 interface Held {
-  /** Read last, as the caller's code can dispose of the view before: then it throws. */
+  /** Called last: the caller's code may have disposed of the view before; then it throws. */
   windowNow(): NativeWindow;
   end(): void;
 }
@@ -148,7 +148,7 @@ export class Voronoi implements Disposable {
     if ("starts" in window) {
       const { coordinates, starts } = window;
       this.#region = createRegion(this, shapesOf(native), coordinates, starts);
-      // Laid over the diagram, a region has a note for each of its faces.
+      // When it is laid over the diagram, a region stores a note for each face.
       this.#ballast = new Ballast();
       this.#ballast.carry(native.size() / kRegionsOfSite);
       const box = this.#region.box();
@@ -166,7 +166,7 @@ export class Voronoi implements Disposable {
     this.ymax = ymax;
     this.window = windowOf(bounds, this.#region, () => Voronoi.#living(this));
     showInWords(this, `window: [${bounds.join(", ")}], `);
-    Object.freeze(this); // an object put there would be asked for its value in the middle of a call
+    Object.freeze(this); // else callers could put objects there, whose valueOf runs during calls
   }
 
   /** @internal For `diagram.voronoi(window)`. */
@@ -690,7 +690,7 @@ export class Voronoi implements Disposable {
     return [this.xmin, this.ymin, this.xmax, this.ymax];
   }
 
-  /** As a call takes it; read last, as the caller's code can dispose of the view before. */
+  /** The window for a native call. Read it last: the caller's code may have disposed of the view. */
   get #window(): NativeWindow {
     Voronoi.#living(this);
     return [this.#region, this.#reach, ...this.#bounds];
@@ -705,7 +705,7 @@ export class Voronoi implements Disposable {
     );
   }
 
-  /** Of calls that change the diagram: "busy" within a filter. */
+  /** Returns the diagram's inside; throws "busy" within a filter if the call `changes` it. */
   static #inner(view: Voronoi, changes = false): Inner<NativeShapes> {
     if (typeof view !== "object" || view === null || !(#isDisposed in view))
       throw wrongReceiver(view);
@@ -719,7 +719,7 @@ export class Voronoi implements Disposable {
     return Voronoi.#inner(view, changes).native;
   }
 
-  /** How far the cells of some sites reach, or of all, asked now. */
+  /** Asks now how far the cells of some sites reach, or of all, and keeps it until `end()`. */
   static #hold(view: Voronoi, ids?: readonly number[]): Held {
     const inner = Voronoi.#inner(view);
     const limit = view.#limit;
@@ -758,7 +758,7 @@ export class Voronoi implements Disposable {
     }
   }
 
-  /** A site and those that may have an edge with it, ascending. */
+  /** Returns a site and the sites that may share an edge with it, ascending. */
   static #about(view: Voronoi, id: number): number[] {
     const native = Voronoi.#nativeFor(view, id);
     if (typeof view.#limit === "number") return [id];
@@ -803,7 +803,7 @@ export class Voronoi implements Disposable {
     }
   }
 
-  /** All cells, as they tile the window; on the map, if there is one. */
+  /** Returns the polygons of all cells, which tile the window; projected back if it has a map. */
   static #polygons(view: Voronoi, tolerance: number): CoverageArrays {
     const polygons = Voronoi.#clipped(view, undefined, (native, windowNow) =>
       native.cellPolygons(...windowNow(), tolerance),
@@ -817,7 +817,7 @@ export class Voronoi implements Disposable {
     return unprojected(polygons, view.#project, inMap);
   }
 
-  /** The rings of a cell, one after the other. */
+  /** Returns the rings of a cell, one after the other. */
   static #rings(view: Voronoi, id: number, options: PolygonOptions | undefined): Rings {
     Voronoi.#nativeFor(view, id);
     const { isFlat, tolerance } = ringOptions(options);

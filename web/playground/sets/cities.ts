@@ -33,7 +33,7 @@ export async function loadCities(): Promise<Sites> {
   const info: SetInfo = {
     key: "cities",
     title: "Cities of the world",
-    about: "Areas: population. Cells are the flat map’s, kilometres the globe’s.",
+    about: "Circle area is population. Cells are computed on this flat map; distances are true.",
     credit: "cities",
     ...earth,
   };

@@ -125,12 +125,13 @@ export const kPresets: Record<string, Preset> = {
   },
   planet: {
     title: "Planet and ring",
-    about: "Small circles around a large one: its cell has as many edges as there are of them.",
+    about: "Small circles around a large one: its cell has one edge for each of them.",
     circles: () => [[0, 0, 200], ...around(48, 262, (k) => 4 + 9 * (k % 4 === 0 ? 1 : 0.3))],
   },
   bubbles: {
     title: "Bubble chart",
-    about: "What the pointer means in a bubble chart: the bubble whose rim is nearest.",
+    about:
+      "What the pointer means: the smallest bubble under it, else the one with the nearest rim.",
     circles: bubbles,
   },
 };

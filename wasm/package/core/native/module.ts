@@ -1,5 +1,5 @@
 // The instance of the wasm module that diagrams share: made at the first use, never at import.
-// After a call that was cut off, what is made later gets a new one.
+// After a call that was cut off, later diagrams get a new instance.
 //
 // The module comes in parts (tools/toolchain/split_wasm.mjs). `core` is an instance by itself. Each
 // of the others is compiled, started in the memory and the table of `core`, and registered with
@@ -22,16 +22,16 @@ import { failure } from "./native_errors.js";
 
 /** A diagram in the module: wasm/bindings/core.cpp. Its calls throw an ApolloniusError. */
 export type NativeDiagram = Diagram;
-/** A window of any shape there, for the diagrams of the same instance. */
+/** A window of any shape in the module, for the diagrams of the same instance. */
 export type NativeRegion = Region;
-/** How far cells reach there. */
+/** A limit in the module of how far cells reach from their circles. */
 export type NativeReach = Reach;
 /** A diagram of the sphere: wasm/bindings/sphere.cpp. */
 export type NativeSphericalDiagram = SphericalDiagram;
 export type AnyNative = NativeDiagram | NativeSphericalDiagram;
 export type { Builder, Fitting, NearestFirst, SphericalNearestFirst };
 
-/** The calls that a part registers as functions of a diagram, as methods. */
+/** The functions of a diagram that a part registers, with the types that they have as methods. */
 type MethodsOfDiagram = {
   [Name in keyof MainModule as MainModule[Name] extends (...list: infer List) => unknown
     ? List extends [Diagram, ...unknown[]]
@@ -52,12 +52,12 @@ type PartSource = () => WebAssembly.Module;
 
 const sources: Partial<Record<Part, PartSource>> = {};
 
-/** Tells where the first use gets a part from. Of several sources the last counts. */
+/** Sets the source from which the first use gets a part. The last one set counts. */
 export function setSource(part: Part, source: PartSource): void {
   sources[part] = source;
 }
 
-/** A compiled part. Throws "not-loaded" if that cannot be had. */
+/** Returns a compiled part. Throws "not-loaded" if there is none. */
 function compiledPart(part: Part): WebAssembly.Module {
   const source = sources[part];
   expectStack();
@@ -78,7 +78,7 @@ interface NativeModule {
 
 let instance: NativeModule | undefined;
 
-/** The running module; compiled and started now if this is the first use. */
+/** Returns the running module; compiles and starts it if this is the first use. */
 export function runningModule(): NativeModule {
   return instance ?? start(compiledPart("core"));
 }
@@ -92,10 +92,10 @@ export function start(compiled: WebAssembly.Module): NativeModule {
   return (instance ??= started(compiled));
 }
 
-/** Starts the part `shapes` of a class's instance. */
+/** The name of a method that starts the part `shapes` in the instance of a diagram's class. */
 const kStartShapes = /* @__PURE__ */ Symbol("shapes");
 
-/** The same diagram; starts `shapes` in its instance of the module if that has not been done. */
+/** Returns the diagram; starts `shapes` in its instance of the module if it is not started. */
 export function shapesOf(native: NativeDiagram): NativeShapes {
   (native as unknown as { [kStartShapes](): void })[kStartShapes]();
   return native as NativeShapes;
@@ -107,7 +107,7 @@ function started(compiled: WebAssembly.Module): NativeModule {
   const guarded = guard(exports, () => {
     try {
       if (instance === module) instance = started(compiled);
-    } catch {} // no memory for another: this one goes on
+    } catch {} // no memory for a new instance: keep this one
   });
   const guardMethods = ({ prototype: methods }: Class, known: readonly string[] = []) => {
     for (const name of Object.getOwnPropertyNames(methods))
@@ -138,8 +138,8 @@ function started(compiled: WebAssembly.Module): NativeModule {
     };
   };
 
-  // A first insertion and query take few calls; whoever looks for another one has the rest of core
-  // registered. Until then `unregistered` stands where Embind's handles inherit from.
+  // A first insertion and query take few calls; a look-up of any other call registers the rest of
+  // core. Until then, Embind's handles inherit from `unregistered`.
   const methods = Diagram.prototype as Record<PropertyKey, unknown>;
   const inherited = Object.getPrototypeOf(methods) as object;
   const unregistered = new Proxy(inherited, {
@@ -172,7 +172,7 @@ function started(compiled: WebAssembly.Module): NativeModule {
     register(exports._registerShapes);
     for (const added of [exports.Region, exports.Reach, exports.Fitting]) guardClass(added);
     methods.Drawing = exports.Drawing;
-    // The calls; what begins with a capital is a class or an enumeration.
+    // Only the calls: names that begin with a capital are classes and enumerations.
     for (const name of Object.keys(exports).filter(
       (key) => !ofCore.has(key) && /^[a-z]/.test(key),
     )) {
@@ -223,16 +223,16 @@ type Exports = MainModule &
   >;
 
 /**
- * Throws a RangeError if little of the stack is left. Where it ends within Emscripten's own start,
- * or within Embind's registrations, these are left half done: a promise that nobody sees is
- * rejected, or V8 ends the process as it compiles a regular expression. After it, a RangeError is a
- * lack of memory.
+ * Throws a RangeError if little of the stack is left. If the stack ends within Emscripten's own
+ * start, or within Embind's registrations, these are left half done: a promise that nobody sees is
+ * rejected, or V8 ends the process as it compiles a regular expression. After this check, a
+ * RangeError means a lack of memory.
  */
 function expectStack(frames = 1000): void {
   if (frames > 0) expectStack(frames - 1);
 }
 
-/** An instance; throws "out-of-memory" where there is no room for it. */
+/** Returns a new instance; throws "out-of-memory" if there is no room for it. */
 function instanceOf(
   compiled: WebAssembly.Module,
   imports: WebAssembly.Imports,
@@ -244,7 +244,7 @@ function instanceOf(
   }
 }
 
-/** An instance of `core`, and what starts another part in it, which puts its functions there. */
+/** Returns the exports of an instance of `core`, to which `startPart` adds those of a part. */
 function instantiated(compiled: WebAssembly.Module): {
   exports: Exports;
   startPart(part: Part): void;
@@ -272,7 +272,7 @@ function instantiated(compiled: WebAssembly.Module): {
   };
 }
 
-type Argument = never; // of whatever type
+type Argument = never; // any type
 type Method = (...list: Argument[]) => unknown;
 interface Handle {
   isDeleted(): boolean;
@@ -281,11 +281,11 @@ interface Handle {
 const nobody: Handle = { isDeleted: () => false };
 
 /**
- * Guards calls against what ends one in its middle: a trap, which is a defect of the library, or an
- * exhausted stack, which nothing foresees. The diagram of that call may be half changed: from then
- * on it is broken, every call of it throws, and its memory is never given back, as its destructor
- * might follow a wrong address. All others find the module's stack as it has to be; so they do
- * after a call that threw an error's number, which leaves the stack where it was, too.
+ * Guards calls against being cut off: by a trap, which is a defect of the library, or by an
+ * exhausted stack, which nothing foresees. The diagram of such a call may be half changed. From
+ * then on it is broken: every call of it throws, and its memory is never given back, as its
+ * destructor might follow a wrong address. For all other diagrams, the module's stack pointer is
+ * restored; also after a call that threw an error's number, which does not restore it itself.
  */
 function guard(
   native: Pick<
@@ -300,8 +300,8 @@ function guard(
   let running: Handle | undefined; // the diagram of the call under way
 
   /**
-   * Sets things right after a call that was cut off. At the end of the stack this may fail
-   * itself: then the next call does it.
+   * Marks the diagram as broken and restores the stack after a call that was cut off. At the end of
+   * the stack this may fail itself; then the next call does it.
    */
   const settle = (diagram: Handle) => {
     running = diagram;
@@ -319,7 +319,7 @@ function guard(
     );
 
   return (plain, isDelete = false) =>
-    // As many parameters as any has: a list of the rest would be made anew for each call.
+    // As many parameters as any call has: rest parameters would make a new array for each call.
     function (
       this: Handle,
       a: Argument,
@@ -361,7 +361,7 @@ function guard(
     };
 }
 
-/** A C++ exception that nobody caught: a lack of memory where Embind itself needs some bytes. */
+/** Is it an uncaught C++ exception? It means a lack of memory where Embind itself needs bytes. */
 function isCppException(error: unknown): boolean {
   const { Exception } = WebAssembly as unknown as { Exception?: new () => unknown };
   return Exception !== undefined && error instanceof Exception;
@@ -373,7 +373,7 @@ export function notLoaded(message: string, cause?: unknown): ApolloniusError {
   return new ApolloniusError("not-loaded", message, { cause });
 }
 
-/** Turns what an engine throws, when it does not compile or start a module, into our error. */
+/** Turns an engine's error, when it cannot compile or start a module, into an ApolloniusError. */
 export function notCompiled(cause: unknown): unknown {
   if (cause instanceof ApolloniusError) return cause;
   if (cause instanceof RangeError) return outOfMemory();

@@ -1,11 +1,11 @@
-// From the library's errors to exceptions that name the argument.
+// Turns the library's errors into exceptions that name the argument.
 import type { MainModule } from "../../../../build/wasm/apollonius.mjs";
 import { ApolloniusError, type ErrorCode } from "../../errors.js";
 import { numberError, outOfMemory, throwFirst, unknownSite } from "../arguments.js";
 
 type NativeErrors = MainModule["Error"]; // `Error` of src/apollonius/diagram.h
 
-// The message is the last resort; most failures know a better one.
+// These messages are the last resort; most callers make a better one.
 const kFailures: Record<
   Exclude<keyof NativeErrors, "kNone" | "kOutOfMemory">,
   readonly [ErrorCode, string]
@@ -29,7 +29,7 @@ const kFailures: Record<
   ],
 };
 
-/** What the number of an error stands for. */
+/** Returns the exception for the number of an error. */
 export function failure(errors: NativeErrors, number: number): ApolloniusError {
   if (errors.kOutOfMemory.value === number) return outOfMemory();
   for (const name in kFailures) {
@@ -43,7 +43,7 @@ function is(error: unknown, ...codes: ErrorCode[]): boolean {
   return error instanceof ApolloniusError && codes.includes(error.code);
 }
 
-/** The error of a call about one site, whose id the message names. */
+/** Returns the error of a call about one site; its message names the id. */
 export function ofSite(error: unknown, id: unknown): unknown {
   return is(error, "unknown-site") ? unknownSite(id) : error;
 }
@@ -53,7 +53,7 @@ export function refusesNumbers(error: unknown): boolean {
   return is(error, "not-finite", "out-of-range");
 }
 
-/** The error of a call with an array of numbers, of which the message names the first bad one. */
+/** Returns the error of a call with an array of numbers, or throws one that names the first bad. */
 export function ofElements(error: unknown, name: string, values: ArrayLike<number>): unknown {
   if (refusesNumbers(error)) throwFirst(values, (value, k) => numberError(`${name}[${k}]`, value));
   return error;
