@@ -95,8 +95,8 @@ class ChainMaker {
                                const MapPoint& b) const;
   /// Can its ends alone stand for an edge, which is followed from `node`? A filter without
   /// trigonometry, which knows most of them.
-  [[nodiscard]] bool isOnePiece(VertexId node, VertexId neighbor, const MapPoint& first,
-                                const MapPoint& last) const;
+  [[nodiscard]] bool isOnePiece(VertexId node, VertexId neighbor, const MapPoint& from,
+                                const MapPoint& to) const;
   [[nodiscard]] bool isFine(const MapPoint& a, const MapPoint& middle, const MapPoint& b) const;
   /// Is a piece so short that its direction and its bend are rounding, or, on a map, the way from a
   /// pole to what is not moved there? Halving it would not end.
