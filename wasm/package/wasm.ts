@@ -44,8 +44,8 @@ export interface WasmSources {
 declare const VERSION: string;
 
 /**
- * What it is, whichever realm it comes from: sandboxes as Next's for edge functions compile the
- * module outside.
+ * The kind of a source, whichever realm it comes from: sandboxes as Next's for edge functions
+ * compile the module outside.
  */
 const kindOf = (source: unknown): string => Object.prototype.toString.call(source).slice(8, -1);
 const isModule = (source: unknown): source is WebAssembly.Module =>
@@ -123,7 +123,7 @@ function checkPart(part: Part, module: WebAssembly.Module): void {
   );
 }
 
-/** What all WebAssembly begins with: NUL, "asm". */
+/** The first bytes of all WebAssembly: NUL, "asm". */
 const kMagic = [0, 0x61, 0x73, 0x6d];
 
 /** The response from an address, or that which is given or promised. */

@@ -1,5 +1,5 @@
-// Whose land is it? Each city gets what is nearer to it than to any other, as far as the coast: the
-// window is the outline of the world's land, 586 rings of 17 000 points, lakes among them.
+// Each city gets the land that is nearer to it than to any other, as far as the coast: the window
+// is the outline of the world's land, 586 rings of 17 000 points, lakes among them.
 import { Diagram } from "apollonius-diagram";
 import { select } from "d3-selection";
 

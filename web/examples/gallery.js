@@ -74,7 +74,7 @@ const kExamples = {
   ],
 };
 
-/** What needs a bundler, or no browser. */
+/** Examples that need a bundler, or no browser. */
 const kFiles = {
   "react.jsx": "React",
   "bubble_chart.vue": "Vue",

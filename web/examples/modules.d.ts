@@ -1,4 +1,4 @@
-// What the examples import and TypeScript finds no declarations of.
+// Modules that the examples import and TypeScript finds no declarations of.
 declare module "d3-contour";
 declare module "d3-delaunay";
 declare module "d3-force";

@@ -1,19 +1,19 @@
-// What a figure is: a state, how it is drawn, what is said of it, and what a reader can do. Nothing
-// here needs a browser, so that the first picture can be drawn where the site is built; runner.ts
-// lets it live on a page.
+// A figure is a state, how it is drawn, what is said of it, and what a reader can do. Nothing here
+// needs a browser, so that the first picture can be drawn where the site is built; runner.ts lets
+// it live on a page.
 import type { Part } from "../shared/package.js";
 import type { LookName, Pen } from "./pen.js";
 
 export type Point = readonly [x: number, y: number];
 export type Size = readonly [width: number, height: number];
 
-/** What is said of a figure: plain text, and text in the colour of what it speaks of. */
+/** Text about a figure: plain, or in the colour of what it speaks of. */
 export type Said = string | readonly [text: string, color: SaidColor];
 export type SaidColor = "nearest" | "wrong" | "neighbor" | "hidden" | "edge" | "dual" | "vertex";
 
 /** Where readers can take hold of something. With the keyboard, arrows move it. */
 export type Handle = {
-  /** What it is, for those who do not see it. */
+  /** The figure's name, for those who do not see it. */
   label: string;
   x: number;
   y: number;
@@ -60,14 +60,14 @@ export type Control<State> = {
 );
 
 export type Figure<State> = {
-  /** What it needs of the package beside diagrams and queries; without it, shapes. */
+  /** Parts of the package that it needs beside diagrams and queries; without it, shapes. */
   needs?: readonly Part[];
   /** In units, which are CSS pixels where there is room; `narrow` below 520 pixels. */
   size: { wide: Size; narrow: Size };
   /** A new state, for a drawing of this size; Reset asks for another one. */
   start(size: Size, isNarrow: boolean): State;
   draw(pen: Pen, state: State): void;
-  /** What the picture shows, in a sentence or two; read aloud when it changes. */
+  /** Says in a sentence or two what the picture shows; read aloud when it changes. */
   say(state: State): readonly Said[];
   controls?: readonly Control<State>[];
   handles?(state: State): readonly Handle[];

@@ -1,5 +1,6 @@
-// What readers can take hold of in a figure: buttons over the canvas, so that a finger that starts
-// on one drags it and a finger that starts elsewhere scrolls the page, and the Tab key finds them.
+// Handles of a figure, for readers to take hold of: buttons over the canvas, so that a finger that
+// starts on one drags it and a finger that starts elsewhere scrolls the page, and the Tab key finds
+// them.
 import { make } from "../shared/dom.js";
 import { arrowOf, placeIn } from "../shared/input.js";
 import type { Handle } from "./figure.js";

@@ -1,5 +1,6 @@
-// What figures draw with. The same calls draw on a canvas in the browser (canvas_pen.ts) and write
-// SVG where the site is built (svg_pen.ts), so that a page has its first picture before any script.
+// A pen is what figures draw with. Its calls draw on a canvas in the browser (canvas_pen.ts) and
+// write SVG where the site is built (svg_pen.ts), so that a page has its first picture before any
+// script.
 import type { ThemeName } from "../shared/theme.js";
 
 type Look = { fill?: ThemeName; stroke?: ThemeName; width?: number; dash?: readonly number[] };
@@ -73,7 +74,7 @@ export interface Pen {
   rectangle(x: number, y: number, width: number, height: number, look: LookName): void;
   /** `size` in CSS pixels, so that text can be read on a phone too. */
   text(text: string, x: number, y: number, look: LookName, options?: TextOptions): void;
-  /** What `draw` draws is moved by x, y and cut at the rectangle of this size there. */
+  /** Moves the drawing of `draw` by x, y and cuts it at the rectangle of this size there. */
   inside(x: number, y: number, width: number, height: number, draw: () => void): void;
   /** A colour of theme.css as red, green, blue, each from 0 to 255, for `pixels`. */
   tone(name: ThemeName): readonly [number, number, number];

@@ -6,7 +6,7 @@ import { messageOf } from "../shared/errors.js";
 const kPages = 12;
 const kPlaces = 6; // of a page
 
-/** What of Pagefind's interface is used here. */
+/** The part of Pagefind's interface that is used here. */
 interface Pagefind {
   debouncedSearch(text: string): Promise<{ results: { data(): Promise<Found> }[] } | null>;
 }

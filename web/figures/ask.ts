@@ -72,7 +72,7 @@ function answerOf({ diagram, call, at, distance, count }: State): number[] {
 const list = (ids: readonly number[]) =>
   ids.length < 2 ? ids.join() : `${ids.slice(0, -1).join(", ")} and ${ids.at(-1)}`;
 
-/** What find and pick answer here, and why they differ. */
+/** Says what find and pick answer here, and why they differ. */
 function compared(diagram: Diagram, at: Point): Said[] {
   const [found, picked] = [diagram.find(...at), diagram.pick(...at)];
   const under = [...diagram.within(...at, 0)];

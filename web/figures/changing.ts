@@ -1,5 +1,5 @@
-// What the figures of insertion and deletion share: the walk to the nearest circle, and the parts
-// of a diagram's edges where a circle would be nearer than those that the edges belong to.
+// Shared by the figures of insertion and deletion: the walk to the nearest circle, and the parts of
+// a diagram's edges where a circle would be nearer than those that the edges belong to.
 import { curvePoint, type Diagram } from "apollonius-diagram";
 import type { Control, Size } from "../figure/figure.js";
 import { randomCircles } from "../shared/random_sets.js";
@@ -19,7 +19,7 @@ export const kStepping = {
   },
 };
 
-/** The same by hand. @param names of the steps */
+/** Chooses a step by hand. @param names of the steps */
 export const stepChoice = (names: readonly string[]): Control<Stepped> => ({
   kind: "choice",
   label: "Step",

@@ -23,7 +23,7 @@ const kLight = [-0.6, -0.8]; // where it comes from
 const kSpan = kSide * 1.42; // so that each corner is seen, however it is turned
 const kAbove = 88; // degrees from which on the cones look flat
 
-/** Of each cell of the ground: the height of the surface, its light, and whether it is a seam. */
+/** By cell of the ground: the height of the surface, its light, and whether it is a seam. */
 type Ground = { heights: Float64Array; lights: Float64Array; seams: Uint8Array };
 type State = { size: Size; ground: Ground; turn: number; above: number };
 
@@ -49,7 +49,7 @@ function makeGround(): Ground {
   return { heights, lights, seams };
 }
 
-/** What is seen: columns from front to back, each place hiding what is lower behind it. */
+/** Draws columns from front to back, each place hiding what is lower behind it. */
 function picture(pen: Pen, { ground, turn, above }: State, rows: number): Pixels {
   const { heights, lights, seams } = ground;
   const bytes = new Uint8ClampedArray(4 * kColumns * rows);

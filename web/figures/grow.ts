@@ -33,7 +33,7 @@ type State = {
   isGrowing: boolean;
 };
 
-/** What circles have met along so far: the Voronoi edges, without the arcs of circles that grow. */
+/** The lines where circles have met: the Voronoi edges, without the arcs of circles that grow. */
 function seamsOf(grown: ReturnType<Diagram["voronoi"]>): string {
   const { curves } = grown.edgeCurves();
   let path = "";

@@ -28,7 +28,7 @@ type State = {
 const isHidden = ({ diagram, added }: State) =>
   distanceTo(diagram.site(diagram.find(added.x, added.y)), added.x, added.y) <= -added.r;
 
-/** What the new circle's cell, its neighbours and the circles that it hides will be. */
+/** The new circle's cell, its neighbours and the circles that it will hide. */
 function afterwards({ diagram, added, size }: State) {
   const id = diagram.insert(added.x, added.y, added.r);
   const cell = diagram.voronoi([0, 0, ...size]).renderCell(id);

@@ -25,7 +25,7 @@ type State = {
   size: Size;
   isNarrow: boolean;
   level: number;
-  /** What the rows are of. */
+  /** The measurement that the rows show. */
   measured: { count: number; times: Measured } | null;
   running: { worker: Worker; what: string } | null;
   error: string;

@@ -18,7 +18,7 @@ const kBase: readonly Circle[] = [
 ];
 const kTouched: Circle = [0.52, 3, 0.19]; // the circle that all four touch, about
 
-/** What is said at one place of D; `ask` is which diagonal each question leads to. */
+/** Answers at one place of D; `ask` is which diagonal each question leads to. */
 type Answer = { first: Diagonal; second: Diagonal; exact: Diagonal; stages: readonly number[] };
 type Diagonal = "AC" | "BD";
 type State = { size: Size; far: boolean; at: number; answers: Record<"near" | "far", Answer[]> };

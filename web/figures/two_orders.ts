@@ -1,4 +1,4 @@
-// The same circles, inserted in two orders: on the way the diagrams differ, at the end not in one
+// One set of circles, inserted in two orders: on the way the diagrams differ, at the end not in one
 // edge, although the circles are on a grid, where many edges could be chosen in two ways.
 import { Diagram } from "apollonius-diagram";
 import { figure, type Said, type Size } from "../figure/figure.js";

@@ -1,4 +1,4 @@
-// What the page can do, whoever asks for it: pointer, keyboard, buttons or a test. Keeps model,
+// The page's actions, whoever asks for them: pointer, keyboard, buttons or a test. Keeps model,
 // picture and selection together.
 import { Camera } from "./camera.js";
 import { Edits } from "./edits.js";
@@ -69,7 +69,7 @@ export class App {
         this.painter.redrawBox(regionOf(this.sites, this.view, ids[k], dual));
   }
 
-  /** What else is drawn over the picture. */
+  /** Draws something else over the picture. */
   mark(overlay: Partial<Overlay>) {
     Object.assign(this.painter.overlay, overlay);
     this.painter.redrawOverlay();

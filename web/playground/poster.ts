@@ -1,5 +1,5 @@
-// What is seen before the playground's scripts have come: the set that it opens with, drawn where
-// the site is built, across a wide window and upright for a tall one.
+// The poster is seen before the playground's scripts have come: the set that it opens with, drawn
+// where the site is built, across a wide window and upright for a tall one.
 import { Diagram } from "apollonius-diagram";
 import type { Pen } from "../figure/pen.js";
 import type { Triple } from "./model/circle.js";

@@ -59,8 +59,8 @@ const kIdle = 1500; // ms after the start
 const kFree = 4; // pixels below the introduction that need no margin
 
 /**
- * What the bars cover, in pixels: all that lies along the upper or the lower border, or the open
- * sheet of a phone that is held sideways.
+ * Pixels that the bars cover: all that lies along the upper or the lower border, or the open sheet
+ * of a phone that is held sideways.
  */
 function insets() {
   const top = element("intro").getBoundingClientRect().bottom - kFree;

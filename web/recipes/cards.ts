@@ -17,7 +17,7 @@ const kParts = ["core", "shapes", "sphere", "treemap"];
 const kEntries = ["index", ...kParts, "diagnostics"];
 const kFiles = [...kEntries, "embedded", "errors", ...kParts.map((part) => `${part}/part`)];
 
-/** What a sandbox says. */
+/** Messages of a sandbox. */
 type Told =
   | { kind: "ready" }
   | { kind: "done" }

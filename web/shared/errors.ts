@@ -1,4 +1,4 @@
-// What was thrown, in words; anything can be.
+// The text of whatever was thrown.
 
 export const messageOf = (error: unknown) =>
   error instanceof Error ? error.message : String(error);

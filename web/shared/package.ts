@@ -6,7 +6,7 @@ import shapes from "apollonius-diagram/shapes.wasm?url";
 import sphere from "apollonius-diagram/sphere.wasm?url";
 
 const addresses = { core, shapes, sphere };
-/** What of the package is fetched only where it is needed. */
+/** Parts of the package that are fetched only where they are needed. */
 export type Part = "shapes" | "sphere";
 
 /** Resolves when diagrams can be made, and what these parts can do. */

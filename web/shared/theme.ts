@@ -39,7 +39,7 @@ const kNames = [
 export type ThemeName = (typeof kNames)[number];
 export type Theme = Readonly<Record<ThemeName, string>>;
 
-/** What theme.css calls it. */
+/** The name of a colour in theme.css. */
 export const variableOf = (name: ThemeName) =>
   `--${name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`)}`;
 

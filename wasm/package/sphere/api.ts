@@ -1,4 +1,4 @@
-// What the entry `apollonius-diagram/sphere` exports, whichever way the wasm comes.
+// Exports of the entry `apollonius-diagram/sphere`, whichever way the wasm comes.
 export { SphericalDiagram } from "./spherical_diagram.js";
 export type { SphericalVoronoi } from "./spherical_voronoi.js";
 export type {

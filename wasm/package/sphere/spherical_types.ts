@@ -14,7 +14,7 @@ export interface SphericalSite {
 
 /** A site as a loop over the diagram finds it. */
 export interface ListedSphericalSite extends SphericalSite {
-  /** Of the site. */
+  /** Id of the site. */
   id: number;
   /** Whether its cell is empty, because another site covers it. */
   hidden: boolean;
@@ -101,7 +101,7 @@ export interface SphericalOptions extends RadiusOption {
 /** Options of `SphericalDiagram.fromAsync`. */
 export interface SphericalBuildOptions extends SphericalOptions, AsyncOptions {}
 
-/** What `SphericalDiagram.from` reads without accessors; of GeoJSON, points. */
+/** Items that `SphericalDiagram.from` reads without accessors; of GeoJSON, points. */
 export type Spherical =
   | { readonly lon: number; readonly lat: number; readonly r?: number | undefined }
   | GeoJSONPoint

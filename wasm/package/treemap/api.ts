@@ -1,4 +1,4 @@
-// What the entry `apollonius-diagram/treemap` exports, whichever way the wasm comes.
+// Exports of the entry `apollonius-diagram/treemap`, whichever way the wasm comes.
 export { treemap } from "./layout.js";
 export type {
   Disc,

@@ -20,7 +20,7 @@ import {
 } from "./rings.js";
 import type { Disc, TreemapFit, TreemapShape } from "./types.js";
 
-/** Of the shape's diagonal, and of the root of the smaller area along a curve. */
+/** As a share of the shape's diagonal, and of the root of the smaller area along a curve. */
 const kToleranceOfShape = 2 ** -13;
 const kToleranceOfCell = 2 ** -9;
 
@@ -111,7 +111,7 @@ function regionOf(shape: Exclude<TreemapShape, Disc>): Framed {
   return { frame, outline: curvesMovedInto(frame, outline) };
 }
 
-/** What padding leaves of a cell, in a frame of its own. */
+/** The window that padding leaves of a cell, in a frame of its own. */
 export function windowOf(cell: Cell, padding: number, factor: number): Window {
   const whole = factor === 1 ? cell.rings : cell.polygon(factor);
   const rings = inset(whole, padding / cell.frame.scale);

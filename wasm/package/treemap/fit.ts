@@ -26,10 +26,10 @@ const kMost = 300;
 const kMostAgain = 100;
 /** With values that differ by more than this factor rounding ends a search early. */
 const kUnequal = 1e6;
-/** What is off by less is no reason to look for other places, and how often that is done. */
+/** A smaller error is no reason to look for other places; and how often they are looked for. */
 const kEasy = { enough: 1e-6, attempts: 5 };
 const kHard = { enough: 1e-3, attempts: 2 };
-/** Of the values, for sites that are hard to find weights for. */
+/** Powers of the values, for sites that are hard to find weights for. */
 const kPowers = [0.25, 0.5, 0.75, 1, 1, 1, 1];
 /** Sites are at rest when none moves by more than this share of its cell's width. */
 const kRest = 0.04;

@@ -18,7 +18,7 @@ import {
   usualKey,
 } from "./settings.js";
 
-/** Of the areas that all levels together may be off by. */
+/** Share of the areas that all levels together may be off by. */
 const kError = 5e-7;
 /** So much of the way to its centroid a site moves from one layout to the next. */
 const kWayOfFrame = 0.25;

@@ -1,10 +1,10 @@
-// What is left of a polygon without a strip along its border: each side moves inwards, sides that
-// become shorter than nothing leave, and their neighbours meet.
+// A polygon without a strip along its border: each side moves inwards, sides that become shorter
+// than nothing leave, and their neighbours meet.
 import type { Rings } from "./outline.js";
 import { momentsOf } from "./rings.js";
 
 const kMostHalvings = 40;
-/** Of the whole: less is what rounding leaves of nothing. */
+/** Share of the whole: less is what rounding leaves of nothing. */
 const kLeast = 2 ** -30;
 
 /** Strips of this width, or of half of it, or a quarter, …, where the rest would not be whole. */

@@ -28,7 +28,7 @@ import type {
   TreemapShape,
 } from "./types.js";
 
-/** What is begun: nodes, values, and the work on their cells. */
+/** Begins a layout: nodes, values, and the work on their cells. */
 function begin(root: Input, settings: Settings, options: TreemapOptions | undefined) {
   const previous = options?.previous ?? null;
   if (previous !== null && (typeof previous !== "object" || !("centroid" in previous)))

@@ -75,7 +75,7 @@ export function samplesIn(rings: Rings, count: number, random: () => number): Fl
   return samples;
 }
 
-/** The same in rows of these bands; null if `kMostRows` a place are too few. */
+/** Samples in rows of these bands; null if `kMostRows` a place are too few. */
 function samplesInBands(
   rings: Rings,
   bands: readonly Band[],

@@ -53,7 +53,7 @@ export function movedInto({ x, y, scale }: Frame, rings: Rings): Rings {
   });
 }
 
-/** The same of curves, whose fifth number of seven is a weight. */
+/** As rings, for curves, whose fifth number of seven is a weight. */
 export function curvesMovedInto(frame: Frame, { curves, starts }: Outline): Outline {
   const moved = curves.map((value, k) => {
     const part = k % 7;
@@ -91,7 +91,7 @@ export function momentsOf(rings: Rings): { area: number; x: number; y: number } 
   return { area, x: x / area, y: y / area };
 }
 
-/** Of the two products of a turn, more than the rounding of their difference can be. */
+/** Share of the two products of a turn that the rounding of their difference cannot exceed. */
 const kRounding = 2 ** -51;
 
 /** A line of constant y, with the sides of rings that cross it or run along it. */

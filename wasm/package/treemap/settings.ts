@@ -1,4 +1,4 @@
-// What a treemap is told, and what it reads of a tree before anything is laid out.
+// Settings of a treemap, and the values of a tree, read before anything is laid out.
 import { checkNumber, described, numberError, taken } from "../core/arguments.js";
 import type { Position } from "../core/types.js";
 import { ApolloniusError } from "../errors.js";

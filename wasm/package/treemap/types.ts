@@ -1,4 +1,4 @@
-// What the entry `apollonius-diagram/treemap` takes and gives.
+// Types that the entry `apollonius-diagram/treemap` takes and gives.
 import type { DrawOptions, PathContext } from "../core/path.js";
 import type { AsyncOptions, Bounds, Position, Site } from "../core/types.js";
 import type { Disc, Region } from "../shapes/region.js";
@@ -7,18 +7,17 @@ import type { CellCircle, CellCircleOptions } from "../shapes/types.js";
 export type { Disc };
 
 /**
- * What the root's cell can be: bounds, a window of any shape, as `diagram.voronoi` has it, or a
- * disc.
+ * The root's cell: bounds, a window of any shape, as `diagram.voronoi` has it, or a disc.
  */
 export type TreemapShape = Bounds | Region | Disc;
 
 /** The properties of nodes that a treemap reads: of d3-hierarchy's nodes and of plain trees. */
 export interface TreemapNode<Datum = unknown> {
-  /** What the node stands for. */
+  /** The datum that the node stands for. */
   readonly data: Datum;
   /** Its share among its siblings, as `root.sum(…)` or `root.count()` makes it; 0 for no cell. */
   readonly value?: number | undefined;
-  /** Of a tree made by `stratify`. */
+  /** Id, in a tree made by `stratify`. */
   readonly id?: string | undefined;
   /** How many levels it is below the root. */
   readonly depth?: number | undefined;
@@ -43,11 +42,11 @@ export interface TreemapFit {
   converged: boolean;
 }
 
-/** What a treemap gives to each node. */
+/** The cell that a treemap gives to each node. */
 export interface TreemapCell {
-  /** Of its curved cell, in the shape's unit squared; 0 without a value. */
+  /** Area of the curved cell, in the shape's unit squared; 0 without a value. */
   area: number;
-  /** Of its curved cell; null without a value. */
+  /** Centroid of the curved cell; null without a value. */
   centroid: Position | null;
   /**
    * The cell as one closed ring, counter-clockwise (y upwards): its own area is `area` but for
@@ -145,7 +144,7 @@ export interface Treemap<Datum = unknown, Node extends TreemapNode<Datum> = Tree
   <Root extends Node>(root: Root, options?: TreemapOptions<Node>): WithCells<Root>;
 
   /**
-   * The same in slices of some milliseconds, between which the event loop has a turn. Rejects as
+   * Lays out in slices of some milliseconds, between which the event loop has a turn. Rejects as
    * the call throws, and with the reason of `signal` once that aborts; nodes are as they were then.
    */
   async<Root extends Node>(

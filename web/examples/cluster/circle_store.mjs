@@ -3,7 +3,7 @@ import path from "node:path";
 import { readWhole, withFile } from "./files.mjs";
 import { Grid } from "./grid.mjs";
 
-/** Of circles.f64: x, y, r, id as little-endian doubles. */
+/** A record of circles.f64: x, y, r, id as little-endian doubles. */
 export const kRecord = 4;
 export const kBytes = 8 * kRecord;
 

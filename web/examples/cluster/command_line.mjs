@@ -1,4 +1,4 @@
-// What the programs have in common: options, --help, and errors of one sentence with exit code 1.
+// Shared by the programs: options, --help, and errors of one sentence with exit code 1.
 import path from "node:path";
 import { getSystemErrorMap, parseArgs } from "node:util";
 

@@ -5,7 +5,7 @@ import { Diagram } from "apollonius-diagram";
 /** Places at which each side of the window is looked at; what is between them is allowed for. */
 const kSteps = 1024;
 
-/** What rounding may do to the sums below, against the numbers in them, with room to spare. */
+/** Rounding of the sums below, against the numbers in them, with room to spare. */
 const kRounding = 2 ** -40;
 
 /**

@@ -1,5 +1,5 @@
-// What can be done to the circles, each with its way back. Ids come back too: a diagram gives the
-// id that was freed last first, and history goes strictly backwards.
+// Commands change the circles, each with its way back. Ids come back too: a diagram gives the id
+// that was freed last first, and history goes strictly backwards.
 import type { Label, Sites } from "./sites.js";
 
 /** The ids that it touches, null for all. */

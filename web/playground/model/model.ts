@@ -1,4 +1,4 @@
-// What the page shows and how it came about. Every edit goes through here, so that everything can
+// The page's circles, and how they came about. Every edit goes through here, so that everything can
 // be undone.
 import { type Command, insertion, movement, removal, replacement } from "./commands.js";
 import { Emitter } from "./emitter.js";

@@ -6,7 +6,7 @@ import type { Globe } from "./globe.js";
 import type { WorldMap } from "./world_map.js";
 
 export type Label = { name: string; detail?: string };
-/** What the circles are: the preset's key is what the page's address says. */
+/** The origin of the circles: the preset's key is what the page's address says. */
 export type SetInfo = {
   key: string;
   title: string;
@@ -147,7 +147,7 @@ export class Sites {
     this.#changed(false);
   }
 
-  /** What a circle's cell would be, drawn by a function that gets its id; nothing is changed. */
+  /** Draws the cell that a circle would have, by a function of its id; nothing is changed. */
   tryOut<Drawn>({ x, y, r }: Circle, draw: (id: number) => Drawn): Drawn {
     const id = this.diagram.insert(x, y, r);
     try {

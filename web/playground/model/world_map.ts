@@ -3,7 +3,7 @@
 
 /** With rings x, y, … */
 export type Part = { shape: Path2D; rings: number[][] };
-/** What data/land.json holds. */
+/** The content of data/land.json. */
 export type MapData = { outline: number[]; land: number[][] };
 export type WorldMap = { land: Part; outline: Part };
 

@@ -108,7 +108,7 @@ export class CirclesLayer {
     }
   }
 
-  /** What the window meets. */
+  /** Collects the circles that the window meets. */
   #collect(sites: Sites, view: View, box: Box) {
     const { xyr } = sites;
     const ids = this.#candidates(sites, view, box);

@@ -11,7 +11,7 @@ import type { Box, View } from "./view.js";
 
 const kCellsGone = 4; // pixels: cells of this size show no lines,
 const kCellsWhole = 8; // and from this size on they are as strong as can be
-// Of smaller cells lines are one pixel wide, without round ends: that is stroked ten times as fast.
+// Lines of smaller cells are one pixel wide, without round ends: that is stroked ten times as fast.
 const kFineBelow = 16;
 // Asking for all edges in one call costs a fifteenth for each of what asking cell by cell does; but
 // it cannot be done in slices.
@@ -161,7 +161,7 @@ function drawDistances(
     context.clip();
     context.beginPath();
     const rim = sites.radius(id) * view.scale;
-    // Of a circle of less than nothing the first ones are not there.
+    // The first contours of a circle with a negative radius are missing.
     const first = rim < 0 ? rim - kContour * Math.floor(rim / kContour) : rim + kContour;
     const passed = Math.max(0, Math.floor((cell.nearest - first) / kContour));
     for (let r = first + passed * kContour; r < cell.farthest; r += kContour)

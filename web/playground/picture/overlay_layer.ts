@@ -1,5 +1,6 @@
-// What follows the pointer: the nearest site, its cell and its neighbours, and the other answers;
-// the selected sites and the handle of one; a circle that is being drawn, with its cell to be.
+// The overlay follows the pointer: the nearest site, its cell and its neighbours, and the other
+// answers; the selected sites and the handle of one; a circle that is being drawn, with its cell to
+// be.
 import type { Circle } from "../model/circle.js";
 import type { Sites } from "../model/sites.js";
 import { addCell } from "./curves.js";
@@ -130,7 +131,7 @@ function drawNearest(
   drawFarRing(context, sites, view, id);
 }
 
-/** Of a negative radius: the ring whose far side distances go to. */
+/** Draws for a negative radius the ring whose far side distances go to. */
 function drawFarRing(context: CanvasRenderingContext2D, sites: Sites, view: View, id: number) {
   const { x, y, r } = sites.site(id);
   context.lineWidth = 1.5;
@@ -243,7 +244,7 @@ function drawSelected(
   context.stroke();
 }
 
-/** Of a hidden circle: the one that covers it. */
+/** Draws for a hidden circle the one that covers it. */
 function drawCover(context: CanvasRenderingContext2D, sites: Sites, view: View, id: number) {
   if (!sites.isHidden(id)) return;
   context.setLineDash([6, 4]);

@@ -98,7 +98,7 @@ export class Painter {
   theme = readTheme();
   /** While something moves by itself, lines are drawn whole in every frame. */
   isLive = false;
-  /** What drawing cost, in ms, latest last. */
+  /** Times of drawing, in ms, latest last. */
   costs: Record<Cost, number[]> = { circles: [], lines: [], box: [], overlay: [], frame: [] };
 
   readonly #model: Model;
@@ -128,7 +128,7 @@ export class Painter {
     this.readTheme();
   }
 
-  /** What is shown. */
+  /** The layers that are shown. */
   get layers() {
     return this.#layers.value;
   }
@@ -326,7 +326,7 @@ export class Painter {
     const start = performance.now();
     let job = this.#job;
     if (!job) {
-      // What is drawn in one go needs no canvas that is not shown.
+      // A drawing in one go needs no canvas that is not shown.
       this.#drawn = slice === Infinity ? lines : this.#spare;
       const context = this.#drawn.start(this.#pixelRatio);
       const expected = this.#circles.counts.visible;

@@ -1,10 +1,10 @@
-// What there is to draw, for the painter and its layers.
+// The picture: everything that the painter and its layers draw from.
 import type { Voronoi } from "apollonius-diagram";
 import type { Sites } from "../model/sites.js";
 import type { Theme } from "../../shared/theme.js";
 import type { View } from "./view.js";
 
-/** What is shown. */
+/** The layers, each shown or not. */
 export type Layers = {
   cells: boolean;
   distances: boolean;
@@ -19,7 +19,7 @@ export type Layers = {
   hull: boolean;
 };
 /**
- * What the layers draw from; `isLive`: in one go; `ends`: the cells, if they end before the
+ * The layers draw from this; `isLive`: in one go; `ends`: the cells, if they end before the
  * window's border.
  */
 export type Picture = {

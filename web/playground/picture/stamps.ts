@@ -4,7 +4,7 @@
 const kPlaces = 4; // in each direction of a pixel
 const kRadii = 8; // a pixel
 
-/** Of disc and rim: alphas up to 255, and the width of the rim. */
+/** Alphas of disc and rim, up to 255, and the width of the rim. */
 export type Ink = { fill: number; stroke: number; line: number };
 
 /** How far a circle with its rim reaches. */

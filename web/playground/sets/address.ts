@@ -27,8 +27,8 @@ const kMostKept = 20_000; // circles
 const kDigits = 6; // of the view
 
 /**
- * What was changed in the set that these circles were: removed "12-", moved "12:x,y", changed
- * "12:x,y,r", new "x,y,r,name", with "~" between them.
+ * Changes in the set that these circles were: removed "12-", moved "12:x,y", changed "12:x,y,r",
+ * new "x,y,r,name", with "~" between them.
  */
 export function editsOf(sites: Sites) {
   const { original, xyr, ids } = sites;
@@ -82,7 +82,7 @@ export function applyEdits(sites: Sites, edits: string) {
 
 const short = (value: number) => String(Number(value.toPrecision(kDigits)));
 
-/** What an address is, and whether it holds all changes; `length` is how long it would be then. */
+/** An address, and whether it holds all changes; `length` is how long it would be then. */
 export type Address = { hash: string; isWhole: boolean; length: number };
 
 /** Short ones as they are, long ones packed. */
@@ -153,10 +153,10 @@ export async function sitesOf(state: State, kept: Kept | null, watch?: Watch) {
   return sites;
 }
 
-/** What this page has put into a history entry. */
+/** The state that this page has put into a history entry. */
 export type Kept = Circles & { title: string; onEarth?: OnEarth | null };
 
-/** What a history entry keeps beside its address. */
+/** Returns what a history entry keeps beside its address. */
 export function keptOf(sites: Sites, isWhole: boolean): Kept | null {
   if (isWhole || sites.size > kMostKept) return null;
   const rows = Array.from(sites.ids, (id) => ({

@@ -6,10 +6,10 @@ import { whenLoaded } from "../../shared/package.js";
 import { messageOf } from "../../shared/errors.js";
 import { type CircleOptions, randomCircles } from "../../shared/random_sets.js";
 
-/** What to make; without `options` nothing. */
+/** Circles to make; without `options` none. */
 export type Job = { job?: number; options?: CircleOptions };
 export type Built = { xyr: Float64Array; bytes: Uint8Array; buildTime: number };
-/** What is said: once that it is there, then about a job. */
+/** Messages: once that the worker is there, then about a job. */
 export type Told =
   | { kind: "ready" }
   | { kind: "progress"; job: number | undefined; what: string; share?: number }

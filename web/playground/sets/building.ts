@@ -5,7 +5,7 @@ import { type SetInfo, Sites } from "../model/sites.js";
 import type { Built, Job, Told } from "./build_worker.js";
 import { type CircleOptions, randomCircles } from "../../shared/random_sets.js";
 
-/** What is asked for: how many, hidden ones in per cent. */
+/** Random circles: how many, hidden ones in per cent. */
 export type RandomOptions = { n: number; hidden: number; seed: number; tall: boolean };
 /** How far it is, if that is known, and the way to stop it. */
 export type Watch = {

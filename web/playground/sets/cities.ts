@@ -7,7 +7,7 @@ import { earthInfo, fetchMap } from "./earth.js";
 
 const kLargestRadius = 330; // km, of the largest city's circle
 
-/** Of data/cities.json: name, country, x, y, population. */
+/** A row of data/cities.json: name, country, x, y, population. */
 type City = [string, string, number, number, number];
 
 const describe = () => {

@@ -1,5 +1,5 @@
-// What columns of a table mean by their names, and their values as numbers: places, radii, names.
-// What cannot be read is said with its row and column.
+// Columns of a table by their names, and their values as numbers: places, radii, names. An
+// unreadable value is said with its row and column.
 
 /** A circle as it was read. */
 export type Row = { x: number; y: number; r: number; name?: string; detail?: string };

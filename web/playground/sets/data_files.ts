@@ -1,7 +1,7 @@
 // The files of web/data that the page fetches.
 const asked = new Map<string, Promise<unknown>>();
 
-/** What our own file holds. It is asked for once; again if that failed. */
+/** The content of our own file. It is asked for once; again if that failed. */
 export function fetchData<Data>(name: string): Promise<Data> {
   let file = asked.get(name);
   if (!file) {

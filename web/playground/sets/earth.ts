@@ -8,13 +8,13 @@ import { Globe } from "../model/globe.js";
 /** x, y and r are kilometres of this projection (globe.ts). `credit`: who has to be named. */
 export type OnEarth = { projection: "equal-earth"; credit?: "cities" };
 
-/** Of the plane: null. */
+/** Returns where a set is on the Earth; null if it is in the plane. */
 export function onEarthOf({ globe, credit }: SetInfo): OnEarth | null {
   if (!globe) return null;
   return { projection: "equal-earth", ...(credit ? { credit } : {}) };
 }
 
-/** What was written of it, among other things; null if nothing was. */
+/** Reads where a set is on the Earth from a file's data; null if it does not say. */
 export function onEarthIn(data: unknown): OnEarth | null {
   if (typeof data !== "object" || data === null) return null;
   const { projection, credit } = data as Partial<Record<keyof OnEarth, unknown>>;
@@ -25,7 +25,7 @@ export function onEarthIn(data: unknown): OnEarth | null {
 /** Asks for what the map is made from. */
 export const fetchMap = () => fetchData<MapData>("land.json");
 
-/** What is known of circles on the map. */
+/** Facts about circles on the map. */
 export async function earthInfo() {
   return {
     areaUnit: "km²", // a map of equal areas; its distances are not those on the Earth

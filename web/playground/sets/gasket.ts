@@ -17,7 +17,7 @@ export function gasket(size: number, smallest: number): Triple[] {
   const around: Curved = { k: -1 / size, x: 0, y: 0 };
   const circles = [...first];
 
-  /** What fills the gap between a, b and c on the side where d is not. */
+  /** Fills the gap between a, b and c on the side where d is not. */
   function fill(a: Curved, b: Curved, c: Curved, d: Curved) {
     const other = (name: keyof Curved) => 2 * (a[name] + b[name] + c[name]) - d[name];
     const circle = { k: other("k"), x: other("x"), y: other("y") };

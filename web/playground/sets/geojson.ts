@@ -51,7 +51,7 @@ export function toGeoJson(app: App) {
   });
 }
 
-/** What `toGeoJson` has written of the map, if this is a file of it. */
+/** Reads what `toGeoJson` has written of the map, if this is a file of it. */
 export const onEarthInGeoJson = (data: object): OnEarth | null =>
   onEarthIn((data as { [kOurs]?: unknown })[kOurs]);
 

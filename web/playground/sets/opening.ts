@@ -1,5 +1,6 @@
-// What the page opens with: composed, so that one sees at once what circles do to cells. Sizes from
-// 5 to 128, a large one that bends its neighbours' cells, two nested, one across another's rim.
+// The set that the page opens with: composed, so that one sees at once what circles do to cells.
+// Sizes from 5 to 128, a large one that bends its neighbours' cells, two nested, one across
+// another's rim.
 import type { Triple } from "../model/circle.js";
 
 export const kOpening: Triple[] = [

@@ -7,7 +7,7 @@ import { gasket } from "./gasket.js";
 import { kOpening } from "./opening.js";
 import { generator } from "../../shared/random_sets.js";
 
-/** Of a set, as the page's address has them. */
+/** Parameters of a set, as the page's address has them. */
 export type Params = Partial<Record<string, string>>;
 /** `circles` makes them: x, y, r of each. */
 export type Preset = { title: string; about: string; circles: () => Triple[] };

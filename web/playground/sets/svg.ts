@@ -13,7 +13,7 @@ import { rounded, SvgContext } from "./svg_context.js";
 const kLines = ["distances", "centres", "dual", "cells", "vertices", "levels", "hull"] as const;
 const kCredit = "Cities: GeoNames, CC BY. Land: Natural Earth. Equal Earth projection.";
 
-/** What the window shows, in pixels. */
+/** Writes what the window shows, in pixels. */
 export function toSvg(app: App) {
   const { sites, view, painter } = app;
   const { theme, layers, ends } = painter;
@@ -48,7 +48,7 @@ function mapOf({ view, theme }: Picture, { outline, land }: WorldMap) {
 const onScreen = (view: Picture["view"], ring: readonly number[]) =>
   ring.map((v, k) => rounded(k % 2 === 0 ? view.toScreenX(v) : view.toScreenY(v))).join();
 
-/** What the layer of this name draws when it is the only one. */
+/** Returns what the layer of this name draws when it is the only one. */
 function linesOf(picture: Picture, name: (typeof kLines)[number], { view, painter }: App) {
   const off = Object.fromEntries(kLines.map((other) => [other, other === name]));
   const layers: Layers = { ...picture.layers, ...off };

@@ -49,7 +49,7 @@ export class SvgContext implements State {
     return this as unknown as CanvasRenderingContext2D;
   }
 
-  /** What has been drawn since this was last asked. */
+  /** Returns what has been drawn since the last call. */
   take() {
     const drawn = this.#drawn.join("");
     this.#drawn = [];

@@ -10,7 +10,7 @@ import { panTool } from "./pan_tool.js";
 import { toolOf } from "./registry.js";
 import type { Gesture, PointerKind, Touch } from "./tool.js";
 
-/** What a browser does not name is like a mouse. */
+/** A pointer that a browser does not name is like a mouse. */
 const kindOf = (type: string): PointerKind => (type === "pen" || type === "touch" ? type : "mouse");
 
 const kSlop = { mouse: 4, pen: 6, touch: 10 }; // pixels that a click may move

@@ -43,7 +43,7 @@ export class SelectGesture implements Gesture {
     this.isOnHandle = isOnHandle(app, at);
   }
 
-  /** What was under the pointer when it went down, and is still there. */
+  /** The circle that was under the pointer when it went down, and is still there. */
   get found() {
     return this.#found.filter((id) => this.app.diagram.has(id));
   }

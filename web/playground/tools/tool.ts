@@ -1,5 +1,5 @@
-// What a tool is. A new one is a file that says it, and a line in registry.ts: its button, its key
-// and its part of the help are made from that.
+// A tool of the playground. A new one is a file that describes it, and a line in registry.ts: its
+// button, its key and its part of the help are made from that.
 import type { App } from "../app.js";
 
 export type PointerKind = "mouse" | "pen" | "touch";
@@ -29,13 +29,13 @@ export type Tool = {
   /** The key that chooses it: a small letter. */
   key: string;
   label: string;
-  /** What its button shows, 24 by 24. */
+  /** The button's picture, 24 by 24. */
   icon: readonly Shape[];
   /** Sentences on its gestures, by mouse or pen and by touch; *what is done* between asterisks. */
   help?: { fine?: readonly string[]; coarse?: readonly string[] };
   /** While nothing is under way. */
   cursor(app: App, at: Touch): string;
-  /** What begins when the pointer goes down. */
+  /** Begins a gesture when the pointer goes down. */
   gesture(app: App, at: Touch): Gesture;
   /** The pointer moves, and nothing is under way. */
   hover?(app: App, at: Touch): void;

@@ -1,5 +1,5 @@
-// What a screen reader is told: what is selected, where it was moved or how large it was made, and
-// which tool is chosen. It hears where a movement ended, not every step.
+// Announcements for screen readers: what is selected, where it was moved or how large it was made,
+// and which tool is chosen. It hears where a movement ended, not every step.
 import type { App } from "../app.js";
 import { whenever } from "../model/signals.js";
 import { toolOf } from "../tools/registry.js";
@@ -58,7 +58,7 @@ function selectionText({ selection, sites, diagram }: App) {
   return `${sites.label(id).name} selected, ${state}`;
 }
 
-/** What has become of the selected circles; "" if nothing has. */
+/** Describes the change of the selected circles; "" if there is none. */
 function changeText({ selection, sites }: App, before: Float64Array) {
   const { ids } = selection;
   const after = sites.triples(ids);

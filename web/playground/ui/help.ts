@@ -1,4 +1,4 @@
-// What the tools' gestures do, as the tools say it.
+// The tools' gestures, as the tools describe them.
 import { make } from "../../shared/dom.js";
 import { kTools } from "../tools/registry.js";
 import { element } from "./elements.js";

@@ -1,4 +1,4 @@
-// What is selected: numbers that can be edited, and what the diagram knows about it.
+// The card of the selection: numbers that can be edited, and what the diagram knows about it.
 import { make } from "../../shared/dom.js";
 import type { App } from "../app.js";
 import { messageOf } from "../../shared/errors.js";
@@ -168,7 +168,8 @@ function hiddenBelow({ diagram, sites }: App, id: number) {
   if (diagram.hiddenSize === 0) return "none";
   const { x, y } = sites.site(id);
   const r = sites.radius(id);
-  // What it covers contains no point farther away, and is deep inside it at its own centre.
+  // A circle that it covers contains no point farther away, and is deep inside it at its own
+  // centre.
   const count = Array.from(diagram.within(x, y, r)).filter((other) => {
     if (other === id || !sites.isHidden(other)) return false;
     const site = sites.site(other);

@@ -1,4 +1,4 @@
-// What an empty diagram says: how to begin.
+// The text of an empty diagram: how to begin.
 import type { App } from "../app.js";
 import { oncePerFrame } from "./dom.js";
 import { element } from "./elements.js";

@@ -14,7 +14,7 @@ export function notify(text: string) {
   hiding = setTimeout(() => (notice.hidden = true), kShown);
 }
 
-/** What is said no longer holds. */
+/** Hides the notice: it no longer holds. */
 export function silence() {
   clearTimeout(hiding);
   element("notice").hidden = true;

@@ -11,7 +11,7 @@ import { isIn } from "../tools/targets.js";
 
 const kPicture = 120; // circles in one
 
-/** What the menu asks for: `load` a set by its name, `show` the visitor's own. */
+/** Actions of the menu: `load` a set by its name, `show` the visitor's own. */
 type Actions = {
   load(key: string, params?: Params): Promise<void>;
   show(sites: Sites): void;
@@ -119,7 +119,7 @@ function pictureOf(circles: Triple[]) {
   return makeSvg("svg", { viewBox, "aria-hidden": "true" }, ...shapes);
 }
 
-/** The same cities where distances are those on the Earth: a page of the examples. */
+/** A link to the cities where distances are those on the Earth: a page of the examples. */
 const globeLink = () =>
   make("a", { href: "../examples/globe.html" }, globePicture(), "Cities on the globe");
 

@@ -58,7 +58,7 @@ function textOf({ build, nearest }: Times) {
   return said.join(", ");
 }
 
-/** What is shown next. */
+/** Returns the times that are shown next. */
 function steady(shown: Times, found: Times): Times {
   const next = (before?: number, now?: number) => {
     if (before === undefined || now === undefined) return now ?? before;

@@ -41,7 +41,7 @@ function write(node: HTMLElement, [name, detail]: [string, string]) {
   rest.textContent = name === "" ? detail : ` ${detail}`;
 }
 
-/** What is selected, and that it is; null if nothing is. */
+/** Names what is selected; null if nothing is. */
 function selectedText({ selection, sites, diagram }: App): [string, string] | null {
   if (selection.size === 0) return null;
   const id = selection.single;

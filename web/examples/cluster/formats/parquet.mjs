@@ -8,7 +8,7 @@ import { writeParquet } from "./parquet_file.mjs";
 
 export const unit = "points";
 
-/** What Node itself can decompress, beside what hyparquet can: zstd from Node 22.15 on. */
+/** Node itself can decompress these, beside what hyparquet can: zstd from Node 22.15 on. */
 const compressors = {
   GZIP: (bytes) => zlib.gunzipSync(bytes),
   BROTLI: (bytes) => zlib.brotliDecompressSync(bytes),
