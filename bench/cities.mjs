@@ -57,7 +57,7 @@ function allCircles() {
   return circles;
 }
 
-/** How many there are. */
+/** The number of cities. */
 export function countCities() {
   return allCircles().length;
 }

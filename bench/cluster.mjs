@@ -47,7 +47,7 @@ function write(name, array) {
   return file;
 }
 
-/** A worker; it tells what it did when it is ended. */
+/** Starts a worker, which reports its work when it is ended. */
 function startWorker(folder, env) {
   const child = spawn(process.execPath, [path.join(example, "worker.mjs"), "--folder", folder], {
     env: { ...process.env, ...env },
@@ -63,8 +63,8 @@ function startWorker(folder, env) {
 }
 
 /**
- * One run; its items a second, from the end of each worker's first part to the end of the last one
- * (by then the code is compiled and the snapshot restored), and what the workers say.
+ * Makes one run. Returns items a second, from the end of each worker's first part to the end of its
+ * last one (by then the code is compiled and the snapshot restored), and the workers' reports.
  */
 async function measure(program, args, workers, items) {
   const folder = path.join(home, "work");

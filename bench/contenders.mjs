@@ -1,12 +1,12 @@
-// The programs that are compared: started once, kept warm, asked in turn. What they understand:
-// bench/native/contender.h.
+// The programs that are compared: started once, kept warm, asked in turn. bench/native/contender.h
+// describes their requests and answers.
 import { spawn } from "node:child_process";
 import path from "node:path";
 import { createInterface } from "node:readline";
 import { packed } from "../tests/wasm/support/install_packed.mjs";
 import { native, root } from "./places.mjs";
 
-/** In the order of the report's columns. */
+/** The contenders, in the order of the report's columns. */
 export const names = [
   "wasm",
   "native",
@@ -52,7 +52,7 @@ function start(name) {
   });
   const contender = { child, receive: () => {} };
   createInterface({ input: child.stdout }).on("line", (line) => contender.receive(line));
-  child.stdin.on("error", () => {}); // of a child that has ended; "close" tells
+  child.stdin.on("error", () => {}); // the child has ended, which "close" reports
   child.on("error", (error) => contender.receive(JSON.stringify({ error: error.message })));
   child.on("close", () => {
     if (running.get(name) !== contender) return; // it was stopped

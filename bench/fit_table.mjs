@@ -1,4 +1,4 @@
-// Prescribed areas: what it takes, and what is reached.
+// The table of prescribed areas: time, and the accuracy that is reached.
 import { short, table, thousands } from "./tables.mjs";
 
 const kSets = {

@@ -1,10 +1,10 @@
-// How calls grow from one size to another, beside what the reference promises.
+// The table of growth: how calls grow from one size to another, beside the reference's promise.
 import { readFileSync } from "node:fs";
 import path from "node:path";
 import { root } from "./places.mjs";
 import { short, table, thousands } from "./tables.mjs";
 
-/** How many times the promised growth is marked. */
+/** Growth of this many times the promised one is marked. */
 const kTolerance = 1.5;
 
 function groupsBy(records, keyOf) {

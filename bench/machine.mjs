@@ -55,6 +55,6 @@ export function machine() {
     flatbush: attempt(() => installed("flatbush")),
     commit: attempt(measuredCommit),
     date: new Date().toISOString().slice(0, 10),
-    load: loadavg()[0].toFixed(2), // of other programs, before the run
+    load: loadavg()[0].toFixed(2), // by other programs, before the run
   };
 }

@@ -81,8 +81,8 @@ export async function runScenes(scenes, isThere, progress) {
 }
 
 /**
- * Where contenders that should agree do not: the number of visible sites, and what the queries
- * found (wasm and native).
+ * The disagreements of contenders that should agree: on the number of visible sites, and on the
+ * results of queries (wasm and native).
  */
 export function disagreements(records) {
   const groups = new Map();

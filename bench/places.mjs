@@ -1,4 +1,4 @@
-// Where the benchmark keeps what it builds.
+// The folders of the benchmark's files.
 import path from "node:path";
 import { root } from "../tools/toolchain/folders.mjs";
 

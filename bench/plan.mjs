@@ -173,8 +173,8 @@ function tableOne({ seconds, limit, rounds, tableOne: largest, walk }) {
 }
 
 /**
- * 10 000 moving sites a frame, of so many, and all of them, far and by a hundredth, against
- * building. Steps in mean spacings; each frame is a sample.
+ * Moves 10 000 of n sites a frame, and all of them, far and by a hundredth, against building.
+ * Steps are in mean spacings; each frame is a sample.
  */
 function moves({ rounds, seconds, limit, sizes }) {
   const among = [1e4, ...sizes.filter((n) => n === 1e6)];
@@ -257,8 +257,8 @@ function orders({ rounds, seconds, limit, family: n }) {
 }
 
 /**
- * Areas that are prescribed, against d3-voronoi-map, which takes seconds for 1000 sites; time and
- * what is reached.
+ * Prescribed areas against d3-voronoi-map, which takes seconds for 1000 sites: time, and the
+ * accuracy that is reached.
  */
 function fit({ rounds, seconds, limit, sizes }) {
   const common = { seconds, limit, rounds: Math.min(rounds, 2) };

@@ -1,4 +1,4 @@
-// The whole report: one Markdown text, which is also what the run prints.
+// The whole report: one Markdown text, which the run also prints.
 import { fitTable } from "./fit_table.mjs";
 import { growthTables } from "./growth_table.mjs";
 import { kWarmUp } from "./plan.mjs";

@@ -82,7 +82,7 @@ async function contenders() {
     path.join(folder, "latest.svg"),
     picture(records, `${cpu}, ${cores} cores; Node ${node}; commit ${commit}; ${date}`),
   );
-  if (isWhole) recordFigures("bench", figuresOf(result)); // what the documents quote
+  if (isWhole) recordFigures("bench", figuresOf(result)); // the documents quote them
   console.log(`Written to ${path.relative(process.cwd(), folder)}/latest.{md,svg}`);
 }
 

@@ -47,7 +47,7 @@ export function timesTable(records) {
   );
 }
 
-/** Which stage answered how often per item; only rows with answers beyond the cached circles. */
+/** Answers of each stage per item; only rows with answers beyond the cached circles. */
 export function stagesTable(records) {
   const counted = records.filter(({ stages }) => stages && Object.keys(stages).length > 0);
   const stages = [...new Set(counted.flatMap((record) => Object.keys(record.stages)))];
@@ -58,7 +58,7 @@ export function stagesTable(records) {
   return table(["set, operation: answers per item", ...stages], rows);
 }
 
-/** How many sites of each set are visible. */
+/** The number of visible sites of each set. */
 export function visibleTable(records) {
   const rows = records
     .filter(({ op, contender }) => op === "build" && contender === "wasm")

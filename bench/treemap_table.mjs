@@ -1,4 +1,4 @@
-// Treemaps: what they take, and how far areas are from what they are to be.
+// The table of treemaps: their time, and the deviation of areas from the prescribed ones.
 import { short, table, thousands } from "./tables.mjs";
 
 const kNames = {

@@ -1,10 +1,10 @@
-# Several sources as one, where headers are most of what a file is compiled from: a batch for each
-# folder, and for each list of compile options that some of its files have for themselves. A batch
-# has the path of its folder, by which the wasm module is cut into parts
+# Compiles several sources as one, because headers are most of what a file is compiled from. Each
+# folder is a batch; files of it that have compile options of their own are a batch for each list of
+# options. A batch has the path of its folder, by which the wasm module is cut into parts
 # (tools/toolchain/split_wasm.mjs).
 
-# Sets `result` to what is to be compiled instead of `sources`; files in the folder `alone` stay as
-# they are.
+# Sets `result` to the files to compile instead of `sources`; files in the folder `alone` are not
+# batched.
 function(apollonius_batches sources alone result)
   set(files "")
   set(batches "")  # the text of each is in the variable of its name

@@ -3,9 +3,9 @@
 # Contraction is off and fast-math stays off because the error bounds of the predicates count each
 # rounding; with both, + - * / and sqrt give the same bits under g++, clang++ and wasm, and so does
 # everything that is computed with them. Flags of the machine (-march=native, -mfma) are fine with
-# contraction off. What asks for other arithmetic is refused, although ours come later on the
-# command line and win there: the linker's does not have them, and with -ffast-math it switches
-# subnormals off for the whole program.
+# contraction off. Flags that change arithmetic are refused. Ours come later on the compiler's
+# command line and would win there, but the linker does not get them, and with -ffast-math it
+# switches subnormals off for the whole program.
 function(apollonius_refuse_other_arithmetic)
   get_directory_property(compile_options COMPILE_OPTIONS)
   get_directory_property(link_options LINK_OPTIONS)
@@ -34,7 +34,7 @@ apollonius_refuse_other_arithmetic()
 
 add_library(apollonius_flags INTERFACE)
 target_compile_options(apollonius_flags INTERFACE
-  # As one: CMake leaves out what has been there before, far from the end.
+  # One item: CMake removes a flag that occurred before, and so would not put it at the end.
   "SHELL:-ffp-contract=off -fno-fast-math -fno-math-errno -fno-trapping-math"
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wold-style-cast -Wcast-qual
   -Wcast-align -Wextra-semi -Wformat=2 -Wimplicit-fallthrough -Wnon-virtual-dtor
@@ -81,11 +81,11 @@ endif()
 # Options that must reach GoogleTest too, because object files with and without them do not mix.
 string(REPLACE "-O2" "-O3" CMAKE_CXX_FLAGS_RELEASE "${CMAKE_CXX_FLAGS_RELEASE}")
 if(EMSCRIPTEN)
-  # One level for the package's module and the tests, but for a few files (CMakeLists.txt): -O2 and
-  # -O3 do not fit what a page may load (bench/README.md, "Size").
+  # One level for the package's module and the tests, except a few files (CMakeLists.txt): -O2 and
+  # -O3 exceed the size that a page may load (bench/README.md, "Size").
   string(REPLACE "-O3" "-Os" CMAKE_CXX_FLAGS_RELEASE "${CMAKE_CXX_FLAGS_RELEASE}")
-  # SIMD is the youngest that is asked of a browser (2021; Safari 2023): what came with it or before
-  # may be used too.
+  # SIMD is the youngest feature that a browser needs (2021; Safari 2023): features that came with
+  # it or before may be used too.
   add_compile_options(-fwasm-exceptions -msimd128 -mbulk-memory -mnontrapping-fptoint -msign-ext)
   add_link_options(-fwasm-exceptions -mbulk-memory
     -sALLOW_MEMORY_GROWTH -sMAXIMUM_MEMORY=4GB -sSTACK_SIZE=1MB)

@@ -16,7 +16,7 @@ install(DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}/src/apollonius"
 # Nothing else is to be found for the library's users, so the exported targets are the package.
 install(EXPORT apollonius NAMESPACE apollonius:: FILE apolloniusConfig.cmake
   DESTINATION "${config_folder}")
-# Before 1.0, what is new may not be compatible.
+# Before 1.0, a new minor version may be incompatible.
 write_basic_package_version_file(apolloniusConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES "${CMAKE_CURRENT_BINARY_DIR}/apolloniusConfigVersion.cmake"
   DESTINATION "${config_folder}")

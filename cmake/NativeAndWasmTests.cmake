@@ -65,7 +65,8 @@ foreach(folder IN LISTS folders)
   set(target ${folder}_tests)
   add_executable(${target} ${sources_of_${folder}})
   target_link_libraries(${target} PRIVATE apollonius_test_support gtest_main)
-  # Compiling is two thirds of these steps of a whole run; what runs long is in the libraries.
+  # Compiling is two thirds of these steps of a whole run; the code that runs long is in the
+  # libraries.
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
   # Reading gtest.h was a third of that time natively and two thirds as wasm; the other headers are
   # a third of the rest.

@@ -16,8 +16,8 @@ target_link_options(apollonius_wasm PRIVATE
   --emit-tsd=apollonius.d.mts
   -sMODULARIZE -sEXPORT_ES6
   -sWASM_ASYNC_COMPILATION=0           # the first diagram starts the module
-  # Nothing of the environment is asked for, and the wasm is handed over: so this serves pages,
-  # workers, Node and edge runtimes.
+  # The module uses nothing of its environment and is given its wasm: so it serves pages, workers,
+  # Node and edge runtimes.
   -sENVIRONMENT=web -sUSE_ES6_IMPORT_META=0 -sINCOMING_MODULE_JS_API=instantiateWasm -sSTRICT
   --no-entry                           # a library: no `main`
   # Puts the stack back after a call that ended in its middle: wasm/package/core/native/module.ts.

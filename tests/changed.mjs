@@ -5,7 +5,7 @@ import path from "node:path";
 import { root } from "../tools/toolchain/folders.mjs";
 import { capture } from "../tools/toolchain/process.mjs";
 
-/** Files that differ from HEAD, and those that git does not know. */
+/** Files that differ from HEAD, and untracked ones. */
 export function changedFiles() {
   const lines = (args) => capture("git", args, { cwd: root }).split("\n").filter(Boolean);
   return [
@@ -127,6 +127,6 @@ export function packagePlan(files) {
   return files.some(isOne) ? ["--onlyChanged"] : null;
 }
 
-/** Whether the tests of the cluster example are to run. */
+/** Are the tests of the cluster example to run? */
 export const clusterPlan = (files) =>
   files.some((file) => /^(web\/examples|tests)\/cluster\//.test(file));

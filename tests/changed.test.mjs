@@ -1,4 +1,4 @@
-// `npm test -- changed` finds the tests of what has changed, and its tables name what is there.
+// `npm test -- changed` finds the tests of changed files, and its tables name only existing files.
 import { existsSync, readdirSync } from "node:fs";
 import path from "node:path";
 import { root } from "../tools/toolchain/folders.mjs";

@@ -2,17 +2,17 @@
 // that they do not, each with its reason.
 //
 // Clang's source-based coverage. Without the shadow check: with it every exact stage runs on
-// everything, whether or not a filter leaves anything to it, and half of src/predicate would be
-// covered by what is no test of it. For the same reason a line that only a test's own direct call
-// reaches (tests/predicate calls each stage) counts: that is how stages are tested.
+// every input, whether or not a filter leaves anything to it, and half of src/predicate would be
+// covered without being tested. A line that only a test's own direct call reaches (tests/predicate
+// calls each stage) counts, because that is how stages are tested.
 //
 // A branch is one outcome of one condition; what several instances of a template run is added up.
 // A line that stays uncovered has its reason in tests/check/uncovered.json, found by its text; a
 // line without one is printed. A reason that is no longer needed makes the command fail. The tests
 // themselves do not count. A run writes docs/figures.json.
 //
-//   npm run coverage -- --all      prints what has a reason, too
-//   npm run coverage -- --reuse    looks again at the counts of the last run
+//   npm run coverage -- --all      also prints lines and branches that have a reason
+//   npm run coverage -- --reuse    reads the counts of the last run
 import { mkdirSync, readFileSync, readdirSync, rmSync } from "node:fs";
 import path from "node:path";
 import { parseArgs } from "node:util";
@@ -30,7 +30,7 @@ const { values: options } = parseArgs({
   options: { all: { type: "boolean" }, reuse: { type: "boolean" } },
 });
 
-/** Runs all test programs. Throws if a test fails: what it did not run would be uncovered. */
+/** Runs all test programs. Throws if a test fails: lines after the failure would be uncovered. */
 async function runAll(folder, profiles) {
   rmSync(profiles, { recursive: true, force: true });
   mkdirSync(profiles, { recursive: true });
@@ -151,7 +151,7 @@ function table(files) {
   return figures;
 }
 
-/** Prints what is uncovered; returns how many places are, and how many reasons are for nothing. */
+/** Prints uncovered places; returns their number, and the number of reasons that are not needed. */
 function list(files) {
   const reasons = JSON.parse(readFileSync(path.join(root, "tests/check/uncovered.json"), "utf8"));
   const used = new Set();

@@ -1,4 +1,4 @@
-// Documents quote the figures that were measured (docs/figures.json), and quote what is there.
+// Documents quote the measured figures (docs/figures.json), and only figures that exist.
 import { readFileSync } from "node:fs";
 import path from "node:path";
 import { kQuotingDocuments, quoted, readFigures, updateQuotations } from "../tools/figures.mjs";

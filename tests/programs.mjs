@@ -7,7 +7,7 @@ import { jobs } from "../tools/toolchain/cmake.mjs";
 import { root } from "../tools/toolchain/folders.mjs";
 import { SetUpError } from "../tools/toolchain/process.mjs";
 
-const kParts = 8; // of a program: enough that no processor waits long for the last one
+const kParts = 8; // parts of a program: enough that no processor waits long for the last one
 
 export const programsIn = (folder) =>
   readdirSync(folder).filter((file) => file.endsWith("_tests") && file !== "determinism_tests");

@@ -36,7 +36,7 @@ const at = wanted.indexOf("-t");
 /** Part of the names of the tests that are run; undefined: all. */
 const name = at < 0 ? undefined : wanted.splice(at, 2)[1];
 
-/** The programs themselves: as wasm, CTest knows no single tests. */
+/** Runs the programs themselves: as wasm, CTest knows no single tests. */
 async function wasmTests(folder) {
   if (name === undefined) return ctest(folder);
   const programs = readdirSync(folder).filter((file) => file.endsWith("_tests.js"));
@@ -113,7 +113,7 @@ const steps = {
     const folder = await buildNative("all");
     if (name !== undefined) return ctest(folder, { name, orNone: true });
     const line = await runPrograms(folder);
-    await ctest(folder, { name: "^(flags|install|fuzz/)" }); // what is in no program
+    await ctest(folder, { name: "^(flags|install|fuzz/)" }); // tests that are in no program
     return `${line}; flags, install and fuzz corpora passed`;
   },
   async wasm() {
@@ -127,7 +127,7 @@ const steps = {
   web: () => pageTests(),
 };
 
-/** The steps for what has changed, each with what it leaves out. */
+/** The steps for the changed files, each with the tests that it leaves out. */
 function stepsOfChange() {
   const files = changedFiles();
   const programs = nativePlan(files);

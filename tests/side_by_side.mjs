@@ -1,6 +1,6 @@
-// The steps of a whole `npm test`: two lanes, each step a process of its own, and what the steps
-// need installed beside them, in the order in which it is needed. A lane that waits (for a browser,
-// for Redis, for apt) leaves the processors to the other one.
+// The steps of a whole `npm test` in two lanes, each step a process of its own. The programs that
+// steps need are installed at the same time, in the order in which they are needed. A lane that
+// waits (for a browser, for Redis, for apt) leaves the processors to the other one.
 import { fork } from "node:child_process";
 import path from "node:path";
 import { createInterface } from "node:readline";

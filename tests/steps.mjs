@@ -10,14 +10,14 @@ import { main } from "../tools/toolchain/setup.mjs";
 
 /** A line with which Jest, CTest or GoogleTest names a test that failed. */
 const failure = /^\s*● .+ › |\*\*\*(Failed|Timeout|Exception)|^\[ {2}FAILED {2}\] \w+\.\w+/;
-/** This many lines, from the name on, say why; and this many are kept in all. */
+/** Lines that are kept of each failure, from the name on, and of all together. */
 const linesOfFailure = 8;
 const linesOfFailures = 80;
 
 /**
- * Runs a program with its output shown, but for lines that match `boring`; returns the last line
- * that matches `summary`. Throws if it fails, with that line and what failed: whoever sees only the
- * end of a long output (of CI, say) reads it there.
+ * Runs a program and shows its output without lines that match `boring`; returns the last line that
+ * matches `summary`. If it fails, throws an error with that line and the failures, so that they are
+ * also at the end of a long output (of CI, say).
  */
 export function runTests(program, args, { summary, boring, env }) {
   return new Promise((resolve, reject) => {

@@ -177,8 +177,8 @@ function inheritedBy(declaration, checker) {
 }
 
 /**
- * By member, the name of the section of its class that it is in: of the last line before it that is
- * drawn through, `// --- Name ---`. What is before the first one builds objects.
+ * The name of each member's section in its class: the last line before it of the form
+ * `// --- Name ---`. Members before the first such line build objects.
  */
 function groupsOf(members) {
   return new Map(

@@ -3,8 +3,8 @@
 //   dist/esm/{index,core,shapes,sphere,treemap,diagnostics,wasm}.js, *.d.ts    the entries, ES
 //                                      modules. Those of core, shapes and sphere carry that part
 //                                      of the wasm as text.
-//   dist/esm/{embedded,errors}.js      index.js only names what is in these, so that who needs no
-//                                      more than errors gets no more
+//   dist/esm/{embedded,errors}.js      index.js only re-exports these, so that a bundle that needs
+//                                      only errors gets no more
 //   dist/esm/{core,shapes,sphere,treemap}/part.js    the code of a folder of wasm/package, which
 //                                      the entries share
 //   dist/esm/*edge.js                  entries for runtimes that compile nothing: they import the
@@ -93,8 +93,8 @@ function sectionOf(name, content) {
 const placeholderOf = (part) => `__APOLLONIUS_${part}__`;
 
 /**
- * Lets a bundle import what is in `built` (which the sources call build/wasm, in a debug build,
- * too). esbuild would print its own loaders' strings full of escapes.
+ * Lets a bundle import files of `built` (which the sources call build/wasm, in a debug build, too).
+ * esbuild would print its own loaders' strings full of escapes.
  */
 function wasmAsText(built, texts) {
   return {
@@ -126,8 +126,8 @@ const classes = [
 const ownNames = new RegExp(`\\b_(${classes.join("|")})\\b`, "g");
 
 /**
- * Minified, but for the names of the classes, which users see in debuggers and errors. Terser's
- * result is 9 % smaller than esbuild's, with brotli.
+ * Minifies a text, except the names of the classes, which users see in debuggers and errors.
+ * Terser's result is 9 % smaller than esbuild's, with brotli.
  */
 async function minified(text) {
   const { minify } = await import("terser"); // not before `npm ci` may have installed it
@@ -152,7 +152,7 @@ function roomOf(file) {
   return rest.length > 0 && rooms.includes(folder) && !ofEntries.test(file) ? folder : "";
 }
 
-/** By room and file of it: the names that sources outside of the room import. */
+/** The names that sources outside of a room import, by room and file of it. */
 function namesBetweenRooms() {
   const found = Object.fromEntries(rooms.map((room) => [room, {}]));
   const statement = /^(?:import|export) (\{[^}]*\}|\*(?: as \w+)?) from "(\.[^"]*)\.js";/gm;
@@ -178,7 +178,7 @@ function namesBetweenRooms() {
   return found;
 }
 
-/** Lets a bundle import other files of dist/, and not hold what is in them. */
+/** Lets a bundle import other files of dist/ instead of containing them. */
 function apart(own) {
   const folder = path.dirname(path.join(sources, own));
   const external = (name) => {

@@ -18,9 +18,9 @@ import { preloads } from "./site/preloads.mjs";
 import { root } from "./toolchain/folders.mjs";
 
 const source = path.join(root, "web");
-/** Where it goes. */
+/** The folder into which the site is built. */
 export const builtSite = path.join(root, "build/web");
-const copied = ["examples", "data", "icon.svg"]; // of web/
+const copied = ["examples", "data", "icon.svg"]; // in web/
 const kRandomSets = "shared/random_sets";
 /** Modules that every page needs come in one piece, and random circles with it: they are small. */
 const kShared =
@@ -33,7 +33,7 @@ function librariesOfExamples() {
   return [...html.matchAll(/"\.\.\/lib\/(d3-[\w-]+)\.mjs"/g)].map((match) => match[1]);
 }
 
-/** With its script inside: a sandbox may load none from an origin that is not its own. */
+/** Copies the frame with its script inside: a sandbox may not load one from another origin. */
 function copyFrame() {
   const read = (name) => readFileSync(path.join(source, "recipes", name), "utf8");
   const script = `<script>\n${read("frame.js")}</script>`;
@@ -60,7 +60,7 @@ function copyTheRest() {
 /** Vite's settings; `watch` builds again whenever a file changes. */
 async function settings({ isWatching }) {
   const dist = path.join(root, "dist");
-  // Not before `npm ci` may have installed what it imports.
+  // Not imported before `npm ci` may have installed its packages.
   const { pagesPlugin } = await import("./site/pages_plugin.mjs");
   const pages = await pagesPlugin();
   return {

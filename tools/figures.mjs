@@ -4,8 +4,8 @@
 //
 //   npm run figures      brings the quotations up to date
 //
-// In a document: <!--figure:bench.build.wasm-->1.53<!--end-->. A test says which quotations are not
-// what the file has.
+// In a document: <!--figure:bench.build.wasm-->1.53<!--end-->. A test names the quotations that
+// differ from the file.
 import { readFileSync, renameSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { pathToFileURL } from "node:url";
@@ -27,7 +27,7 @@ export function measuredCommit() {
 }
 
 /**
- * Puts what a command has measured in the place of its figures before.
+ * Replaces a command's figures by those that it has measured.
  * @param {string} command @param {object | ((before: any) => object)} measured the figures, or how
  * they follow from those before
  */

@@ -6,7 +6,7 @@ import { readExamples } from "./examples.mjs";
 /** Declarations that hold calls of a class under another name. */
 const classOf = { SurfaceCalls: "Diagram", DynamicDiagram: "Diagram", DiagramClass: "Diagram" };
 
-/** How docs/examples calls a member, or a function. */
+/** The name of a member, or of a function, in docs/examples. */
 function callOf(node) {
   if (ts.isFunctionDeclaration(node)) return `function ${node.name.text}`;
   const own = node.parent.name?.text ?? "";

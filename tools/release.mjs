@@ -1,5 +1,5 @@
-// npm run release -- --dry: can this commit be published? All checks in order, and what a person
-// has to do then. Publishing itself is .github/workflows/publish.yml's, for a tag.
+// npm run release -- --dry: can this commit be published? Runs all checks in order, and prints the
+// steps that are left to a person. .github/workflows/publish.yml publishes, for a tag.
 import { readFileSync } from "node:fs";
 import path from "node:path";
 import { root } from "./toolchain/folders.mjs";
@@ -9,7 +9,7 @@ import { main } from "./toolchain/setup.mjs";
 const read = (name) => readFileSync(path.join(root, name), "utf8");
 const git = (...args) => capture("git", args, { cwd: root }).trim();
 
-/** Each returns what is wrong, or nothing. */
+/** The checks; each returns a fault, or nothing. */
 const checks = {
   "the working tree is clean": () => git("status", "--porcelain"),
   "CHANGELOG.md, CITATION.cff and package.json name one version"() {

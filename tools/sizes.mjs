@@ -1,6 +1,6 @@
-// npm run sizes: what a page downloads for each use of the package and of its peers: a bundle by
-// esbuild, minified, with brotli. It needs dist/ (npm run build). With --write README.md says so
-// (figures.mjs). tests/wasm/sizes.test.mjs holds the package to its budgets.
+// npm run sizes: the download of a page for each use of the package and of its peers: a bundle by
+// esbuild, minified, with brotli. It needs dist/ (npm run build). With --write it puts the sizes
+// into README.md (figures.mjs). tests/wasm/sizes.test.mjs holds the package to its budgets.
 import path from "node:path";
 import { pathToFileURL } from "node:url";
 import { brotliCompressSync, constants } from "node:zlib";

@@ -5,7 +5,7 @@ import { boxOf, readCentres, sampled } from "./sampling.mjs";
 import { deviationOf, sharesOf } from "./shares.mjs";
 
 const kMostSteps = 200;
-const kGoodEnough = 1e-4; // of the sum of all deviations to the whole area: its own measure
+const kGoodEnough = 1e-4; // the sum of all deviations by the whole area: its own measure
 
 const areaOf = (polygon) =>
   Math.abs(
@@ -15,7 +15,7 @@ const areaOf = (polygon) =>
     }, 0) / 2,
   );
 
-/** Until it is content, or the steps or the time are used up. */
+/** Runs the simulation until it has converged, or the steps or the time are used up. */
 function fitAreas(request) {
   const centres = readCentres(request.set);
   const shares = sharesOf(centres.length / 2, request.operation === "fitTailed");

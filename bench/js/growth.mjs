@@ -1,5 +1,5 @@
-// Measures calls for their growth: bench/js/growth_calls.mjs says which, and what is promised. An
-// answer has `cost`, the promise in units that cancel when two sizes are compared. Samples are
+// Measures the growth of calls. bench/js/growth_calls.mjs lists the calls and the promised growth.
+// An answer has `cost`, the promise in units that cancel when two sizes are compared. Samples are
 // processor time for one use of a call.
 import path from "node:path";
 import { hierarchy } from "d3-hierarchy";
@@ -137,7 +137,7 @@ export function growthOperations(library) {
       before(surface);
       isUsed = true;
     };
-    kept.set = ""; // if it throws, all is made anew
+    kept.set = ""; // if it throws, all is made again
     const promised = cost.of(surface);
     const limits = { seconds, least: kLeastSamples, most: kMostSamples };
     const { samples } = sampled(limits, 1, once, prepare, processorTime);

@@ -113,7 +113,7 @@ const touch = ({ diagram, sites, box, moved }) => {
   const aside = moved.isAside ? 1e-9 * (box[2] - box[0]) : 0;
   diagram.update(0, sites[0] + aside, sites[1], sites[2]);
 };
-/** Ends what the use made. */
+/** Disposes of the object that the use made. */
 const forget = (surface) => {
   surface.made?.dispose();
   surface.made = undefined;
@@ -129,7 +129,7 @@ const copied = (surface) => {
 
 const isEven = { filter: (id) => id % 2 === 0 };
 
-/** Calls of both surfaces: their names after the dot, what they cost, and how they are used. */
+/** Calls of both surfaces: their names after the dot, their costs, and their uses. */
 const diagramCalls = {
   sites: [linear, ({ diagram }) => diagram.sites()],
   "[Symbol.iterator]": [linear, ({ diagram }) => [...diagram]],
@@ -358,7 +358,7 @@ const named = (prefix, surface, ...groups) =>
     })),
   );
 
-/** Asked of many sites. */
+/** Calls that are timed on many sites. */
 export const callsOfDiagrams = [
   ...named("", "plane", planeFunctions),
   ...named("Diagram", "plane", classCalls),
@@ -366,18 +366,18 @@ export const callsOfDiagrams = [
   ...named("SphericalDiagram", "globe", classCalls),
   ...named("sphericalDiagram", "globe", diagramCalls, globeDiagramCalls),
 ];
-/** Asked of fewer. */
+/** Calls that are timed on fewer sites. */
 export const callsOfViews = [
   ...named("voronoi", "plane", viewCalls, planeViewCalls),
   ...named("sphericalVoronoi", "globe", viewCalls, globeViewCalls),
 ];
-/** Asked of fewest. */
+/** Calls that are timed on the fewest sites. */
 export const slowCalls = [
   ...named("voronoi", "plane", slowPlaneCalls),
   ...named("sphericalVoronoi", "globe", slowGlobeCalls),
 ];
 
-/** In a window of ever more points, or among sites on a circle around a large one. */
+/** Calls that are timed in windows of more and more points, or on sites around a large one. */
 export const callsOfWindows = named("voronoi", "window", {
   "cellCircle:window": [linearithmic, ({ view }) => view.cellCircle(0)],
   "largestEmptyCircle(inside):window": [

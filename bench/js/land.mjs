@@ -2,7 +2,7 @@
 // equal-area map, and other windows of odd shapes.
 import { createRequire } from "node:module";
 
-// Asked for when it is needed: bench/run.mjs is read before `npm ci` may have installed it.
+// Loaded only when needed: bench/run.mjs is read before `npm ci` may have installed it.
 const require = createRequire(import.meta.url);
 
 const kEarthRadius = 6371; // km
@@ -13,7 +13,7 @@ export const equalArea = (longitude, latitude) => [
   kEarthRadius * Math.sin((latitude * Math.PI) / 180),
 ];
 
-/** Rings of points. */
+/** The outline of the land, as rings of points in km. */
 export function landRings() {
   const { feature } = require("topojson-client");
   const topology = require("world-atlas/land-50m.json");

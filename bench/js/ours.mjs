@@ -112,7 +112,7 @@ function fromBytes(request) {
 
 /**
  * findMany with the points dealt out to `count` threads, each with a diagram restored from one
- * snapshot. What is moved is timed, too.
+ * snapshot. Moving the points and results between threads is timed, too.
  */
 async function findManyOnThreads(request) {
   ensureDiagram(request);

@@ -1,9 +1,9 @@
-// The page in Chromium: what frames take while the pointer hovers, zooms, pans and drags, at
-// 10 000, 100 000 and 1 000 000 circles, and while 10 000 move, beside a page that draws the
-// centres with d3-delaunay in every frame; and how long it takes until a set is shown. Then the
+// Measures the page in Chromium: the time of frames while the pointer hovers, zooms, pans and
+// drags, at 10 000, 100 000 and 1 000 000 circles, and while 10 000 move, beside a page that draws
+// the centres with d3-delaunay in every frame; and the time until a set is shown. Then measures the
 // globe of web/examples with its 1 500 cities, while the pointer hovers and turns it.
 //
-// It needs dist/ (npm run build) and Chromium (CHROMIUM, or what is installed).
+// It needs dist/ (npm run build) and Chromium (CHROMIUM, or the installed one).
 import { readFileSync } from "node:fs";
 import { chromium } from "playwright-core";
 import { buildSite } from "../../tools/build_site.mjs";
@@ -20,7 +20,7 @@ const kDrift = 4000; // ms
 const kTurns = 240; // frames
 const kSizes = [10_000, 100_000, 1_000_000];
 
-/** The other page: all cells and centres anew in each frame. */
+/** The other page, which draws all cells and centres in each frame. */
 const otherPage = new URL("d3_page.html", import.meta.url);
 
 /** Times between frames while something is done, in ms. */
@@ -47,7 +47,7 @@ const at = (sorted, share) =>
 const summary = (sorted) =>
   [0.5, 0.95, 1].map((share) => at(sorted, share).toFixed(0).padStart(6)).join("");
 
-/** Steps of a movement, as many as there is time for: a frame can take seconds. */
+/** Does the steps of a movement until kLongest ms have passed: a frame can take seconds. */
 async function repeat(steps, act) {
   const start = performance.now();
   for (let k = 0; k < steps && performance.now() - start < kLongest; k++) await act(k);
@@ -122,7 +122,7 @@ const load = (page, count) =>
     };
   }, count);
 
-/** The globe, which is also turned anew in each frame: events come less often. */
+/** Measures the globe, which is turned in each frame, too: events come less often. */
 async function measureGlobe(browser, url) {
   const page = await browser.newPage({ viewport: kViewport });
   await page.goto(`${url}examples/globe.html`);

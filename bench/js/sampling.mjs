@@ -103,8 +103,8 @@ export function sampledQueries(request, stepOf) {
 }
 
 /**
- * Warm-up: repeats an action, so that the engine compiles what is hot at its best level before
- * anything is timed.
+ * Warm-up: repeats an action, so that the engine compiles hot code at its best level before any
+ * timing.
  */
 export function forMilliseconds(duration, action) {
   const end = performance.now() + duration;
@@ -124,8 +124,8 @@ export function boxOf(numbers, perItem) {
 }
 
 /**
- * Something to draw into that costs next to nothing: it adds up what it is given, so that nothing
- * can be left out.
+ * A context to draw into that costs next to nothing: it adds up all numbers, so that the engine
+ * cannot leave out any.
  */
 export class Sum {
   value = 0;

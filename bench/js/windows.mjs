@@ -12,7 +12,7 @@ const landFor = ({ set }, box) => (/\bcities-/.test(set) ? landRings() : landRin
 export function windowOperations(Diagram) {
   const kept = { set: "" };
 
-  /** The diagram of a set, made once, as several operations in a row are on it. */
+  /** The diagram of a set, built once for several operations in a row. */
   function load({ set }) {
     if (kept.set === set) return kept;
     kept.diagram?.dispose();
@@ -22,8 +22,8 @@ export function windowOperations(Diagram) {
   }
 
   /**
-   * All areas, of a diagram that has changed, as a drag does it. `isFresh`: in a window that is
-   * given anew each time.
+   * Computes all areas of a diagram that has changed, as a drag does. `isFresh`: in a new window
+   * each time.
    */
   function areasIn(windowOf, isFresh) {
     return (request) => {
@@ -46,7 +46,7 @@ export function windowOperations(Diagram) {
     };
   }
 
-  /** From equal weights to shares, to the default tolerance. */
+  /** Fits areas to shares, from equal weights, to the default tolerance. */
   function fitted(windowOf, isTailed) {
     return (request) => {
       const sites = readDoubles(`${request.set}.sites`).map((v, k) => (k % 3 === 2 ? 0 : v));
@@ -73,7 +73,7 @@ export function windowOperations(Diagram) {
     };
   }
 
-  /** At the pixels of a map of 500 x 500. */
+  /** Interpolates at the pixels of a map of 500 x 500. */
   function interpolated(request) {
     const { diagram, box } = load(request);
     const [xmin, ymin, xmax, ymax] = box;

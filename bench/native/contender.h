@@ -24,7 +24,7 @@ struct Request {
   std::size_t count = 0;  ///< how many items to operate on; 0: as many as there are
   double seconds = 0.2;   ///< samples are taken until this much time has been measured
   double limit = 60;      ///< one sample is cut off after this many seconds
-  double step = 0.01;     ///< of moves, in mean spacings
+  double step = 0.01;     ///< length of a move, in mean spacings
 };
 
 struct Answer {

@@ -94,7 +94,7 @@ withRedis(
     await first.ended;
     const before = await partsIn(work);
     for (const index of inHand) expect(before).not.toContain(index);
-    expect(await redis.hgetBuffer(key, "0")).not.toEqual(piece); // it was put there anew
+    expect(await redis.hgetBuffer(key, "0")).not.toEqual(piece); // it was written again
 
     // Redis is killed, and comes back with what its append-only file has; then others go on.
     await redis.set("before", "the end");
@@ -200,7 +200,7 @@ withRedis("runs on one Redis, also of the same data, take no jobs from each othe
   }
 });
 
-/** Removes what is in a folder. False if it does not stay empty: something was written to it. */
+/** Empties a folder. Returns false if it does not stay empty: something was written to it. */
 function tryToEmpty(folder) {
   try {
     for (const each of readdirSync(folder))

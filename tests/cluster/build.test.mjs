@@ -90,8 +90,8 @@ withRedis(
       if (isThorough || k % 8 === 0)
         expect(new IsValidOp(reader.read(geometry)).isValid()).toBe(true);
     }
-    expect([...sums]).toEqual([...areas]); // the same numbers in the same order
-    // polygons leave no gaps but for rounding
+    expect([...sums]).toEqual([...areas]); // equal bits: the numbers are added in equal order
+    // polygons leave no gaps, up to rounding
     expect(Math.abs(drawn - all)).toBeLessThan(1e-6 * all);
 
     const asFlat = await readFlatGeobuf(path.join(folder, "result.fgb"));

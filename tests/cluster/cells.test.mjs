@@ -1,5 +1,5 @@
-// Files of cells: what is written is read by the libraries of the formats, and the index of
-// FlatGeobuf finds what is there, for any number of cells in any parts.
+// Files of cells: the libraries of the formats read them, and the index of FlatGeobuf finds the
+// cells in a rectangle, for any number of cells in any parts.
 import { readFileSync } from "node:fs";
 import path from "node:path";
 import { expect, test } from "@jest/globals";

@@ -57,7 +57,7 @@ function problem() {
 }
 const expected = Object.entries(problem()).map(([name, { buffer }]) => [name, Buffer.from(buffer)]);
 
-/** Whether what collect makes is what one process gives. */
+/** Is the result of `collect` equal to that of one process? */
 async function isRight() {
   await finish("collect.mjs", ["--folder", work, "--out", inFolder("result")]);
   return expected.every(([name, bytes]) => readFileSync(inFolder(name)).equals(bytes));
@@ -65,7 +65,7 @@ async function isRight() {
 
 const sleep = (seconds) => new Promise((resolve) => setTimeout(resolve, 1000 * seconds));
 
-/** How submit ends: its exit code, or null if it does not. */
+/** The exit code of `submit`, or null if it does not end. */
 function outcome({ ended }) {
   let timer;
   const late = new Promise((resolve) => (timer = setTimeout(resolve, 1000 * kLongest, null)));

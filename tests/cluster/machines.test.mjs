@@ -36,7 +36,7 @@ function removeNetwork() {
   ip("link", "del", bridge);
 }
 
-/** Whether that can be had here; nothing stays, as this is asked even if no test is run. */
+/** Can a network be made here? It is removed again, as this runs even if no test does. */
 function canMakeNetwork() {
   const made = makeNetwork();
   removeNetwork();

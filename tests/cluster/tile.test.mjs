@@ -88,8 +88,8 @@ describe.each(Object.keys(families))("%s", (family) => {
   });
 
   test("no halo that is too small is certified", async () => {
-    // Windows of 40 to 0.04 of the side, of halos of 0 to some spacings: what a wrong certificate
-    // would let through is found by asking the diagram of all circles.
+    // Windows of 40 to 0.04 of the side, with halos of 0 to some spacings. A cell that a wrong
+    // certificate lets through is found by comparison with the diagram of all circles.
     const circles = source(family, 6000, 2);
     const { whole, random } = circles;
     let wrong = 0;

@@ -1,4 +1,4 @@
-// Structures broken on purpose: whatever one part says of another, nobody walks out of the arrays.
+// Structures broken on purpose: whatever one part says of another, no walk leaves the arrays.
 // The levels of the hierarchy, the grid and hints only say where to start, so with wrong ones the
 // answers are still right; where the parts contradict each other about a site, the program ends
 // with the name of the invariant, before anything is touched. (Under AddressSanitizer this says
@@ -59,7 +59,7 @@ class BrokenParts : public ::testing::Test {
     EXPECT_EQ(core.delaunay().check(where), nullptr);
   }
 
-  /// Some visible vertex of a level.
+  /// A visible vertex of a level.
   VertexId someOf(const DelaunayGraph& level) {
     for (;;) {
       const VertexId v{random.below(static_cast<std::uint32_t>(level.graph().vertexSlots()))};

@@ -92,9 +92,9 @@ TEST(DelaunayGraphCheck, CachedCircle) {
 }
 
 TEST(DelaunayGraphCheck, FacesOfOtherSites) {
-  // Sites moved behind the graph's back, circles computed anew: which damage is found first depends
-  // on the numbers of the faces, so all displacements on a grid are tried. A displacement that
-  // changes nothing leaves the graph of a fresh build.
+  // Sites are moved behind the graph's back, and circles computed again. Which damage is found
+  // first depends on the numbers of the faces, so all displacements on a grid are tried. A
+  // displacement that changes nothing leaves the graph of a fresh build.
   const std::string conflict = "the faces of an edge contradict each other: half-edge";
   const std::string covered = "a visible site is covered by a neighbour: half-edge";
   const std::string noCircle = "a face has no Voronoi circle: half-edge";
@@ -137,7 +137,7 @@ TEST(DelaunayGraphCheck, FacesOfOtherSites) {
 
 class DiagramCheck : public ::testing::Test {
  protected:
-  /// Ten apart in rows, each of radius 4 but for a hidden one of radius 1 within every third.
+  /// Inserts circles of radius 4 in rows, ten apart, with a hidden one of radius 1 in every third.
   void fill(std::size_t n) {
     for (std::size_t k = 0; k < n; ++k) {
       const double x = 10.0 * static_cast<double>(k % 16),

@@ -38,8 +38,8 @@ std::size_t nearestOf(const std::vector<Site>& sites, double x, double y) {
 }
 
 TEST(SectorWalk, AlongDirectionsOfSeveralVertices) {
-  // Integer points on one circle about the middle, but for one side, where three others and the
-  // middle are on one circle.
+  // Integer points on one circle about the middle; on one side there are none, but three others
+  // that are on one circle with the middle.
   constexpr int kRadius = 1105;
   std::vector<Site> ring;
   for (int x = -kRadius; x <= kRadius; ++x) {

@@ -90,8 +90,8 @@ TEST(SiteMoves, DoNotFlipUnlessTheyMay) {
   EXPECT_EQ(crowd.check(), nullptr);
 }
 
-/// Whatever it gives up, what it leaves is a diagram: of all steps, the most of which are for
-/// building anew.
+/// Whatever moves are given up, a diagram is left. Steps are of all sizes; the largest ones are so
+/// large that a diagram is better rebuilt.
 TEST(SiteMoves, LeaveADiagramAfterStepsOfAnySize) {
   Random random(44);
   for (int run = 0; run < runs(20); ++run) {

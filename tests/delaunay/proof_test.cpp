@@ -99,7 +99,7 @@ std::vector<Site> visibleOf(const std::vector<Site>& sites) {
   return visible;
 }
 
-/// Another edge in the place of an edge; false if there is none.
+/// Replaces an edge by the other diagonal of its faces; returns false if there is none.
 bool flip(DelaunayGraph& diagram, HalfedgeId h) {
   Graph& graph = DiagramBreaker::graph(diagram);
   GraphBreaker breaker(graph);

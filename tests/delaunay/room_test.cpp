@@ -15,7 +15,7 @@ namespace {
 
 VertexId vertex(std::size_t k) { return VertexId{static_cast<std::uint32_t>(k + 1)}; }
 
-/// A site, and others around it on a circle but for their weights.
+/// A site, and others around it on a circle, with different weights.
 DelaunayGraph wheel(std::size_t spokes) {
   DelaunayGraph graph;
   graph.reserve(spokes + 2);

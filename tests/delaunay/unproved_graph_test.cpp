@@ -98,7 +98,7 @@ TEST(UnprovedGraph, LeaveASurfaceOrAreFoundOut) {
   EXPECT_GT(surfaces, test::runs(1000));
 }
 
-/// Found by a search: an insertion's region is a disk but for the order of its boundary.
+/// Found by a search: an insertion's region would be a disk if its boundary were in order.
 TEST(UnprovedGraph, WithARegionThatWindsAreFoundOut) {
   if (kShadowCheck) GTEST_SKIP() << "with the shadow check";
   for (const std::uint64_t seed : {92509u, 109882u, 139353u})

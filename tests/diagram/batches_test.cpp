@@ -11,7 +11,7 @@
 namespace apollonius::test {
 namespace {
 
-/// A diagram changed in batches, and what it should contain.
+/// A diagram changed in batches, and the sites that it should contain.
 class Batches {
  public:
   explicit Batches(Location location) : diagram_(location) {}

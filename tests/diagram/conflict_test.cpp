@@ -38,7 +38,7 @@ TEST_P(ConflictWith, IsWhatInsertionChanges) {
         EXPECT_EQ(sites.size(), 1u);
         continue;
       }
-      // Its neighbours, and what it has hidden.
+      // Its neighbours, and the sites that it has hidden.
       ASSERT_EQ(diagram.neighbors(id, neighbors), Error::kNone);
       for (SiteId other = 0; other < last; ++other) {
         ASSERT_EQ(diagram.isHidden(other, isHidden), Error::kNone);

@@ -16,13 +16,13 @@
 namespace apollonius::test {
 namespace {
 
-/// Hash of what the diagram says about its circles: order-free, so a change here means that the
-/// bits of some coordinate, clearance or distance have changed. Update it only with a change of
-/// those formulas that is meant.
+/// Hash of the diagram's facts about its circles. It does not depend on their order, so a change
+/// here means that the bits of some coordinate, clearance or distance have changed. Update it only
+/// with an intended change of those formulas.
 constexpr std::uint64_t kExpectedValues = 0x5c510c7416ed6f90;
 
 /// Hash of the raw arrays in their order, which depends on how the diagram is stored and searched.
-/// Update it after any change of that; it still has to be the same natively and in wasm.
+/// Update it after any change of that; it must be equal natively and in wasm.
 constexpr std::uint64_t kExpectedRaw = 0x16f8421ca21b4819;
 
 /// Hash of generated circles: native code and wasm must be tested with the same sets.

@@ -1,4 +1,4 @@
-// Bad input: the right error code, and a diagram that is what it was, ids and canonical form alike.
+// Bad input gives the right error code, and leaves the diagram's ids and canonical form unchanged.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -24,7 +24,7 @@ class Errors : public ::testing::Test {
 
   ~Errors() override { EXPECT_EQ(state(), before_) << "a failed call changed the diagram"; }
 
-  /// Everything that can be asked, as text.
+  /// All answers of the diagram, as text.
   std::string state() const {
     std::string broken;
     std::string text = difference({}, canonicalForm(diagram_, broken)) + broken;

@@ -102,7 +102,7 @@ TEST(HiddenForest, RecordsAreUsedAgain) {
   constexpr Node kNodes = 1000;
   HiddenForest forest;
   forest.reserve(kNodes);
-  forest.reserveChildren(2);  // what follows has never more; records beyond the room would be
+  forest.reserveChildren(2);  // never more are needed below; records beyond the room would be
                               // written out of bounds (sanitizers)
   for (Node parent = 0; parent + 2 < kNodes; ++parent) {
     forest.attach(parent + 1, parent);
@@ -160,8 +160,8 @@ TEST(HiddenForest, RandomHistoriesAgreeWithTheModel) {
 
 // --- As a heap
 
-/// A family of nested sites under one visible one, as the diagram treats it: numbers that cover
-/// what is not larger.
+/// A family of nested sites under one visible one, as the diagram treats it: a number covers the
+/// numbers that are not larger.
 class Chain {
  public:
   explicit Chain(Node nodes) : value_(nodes, 0) {

@@ -37,7 +37,7 @@ void expectRightCovers(const Diagram& diagram, const Circles& circles,
                        const std::vector<SiteId>& ids) {
   for (std::size_t k = 0; k < circles.size(); ++k) {
     bool covered = false;  // by a circle that is not identical
-    bool isFirst = true;   // of identical ones
+    bool isFirst = true;   // among identical ones
     for (std::size_t other = 0; other < circles.size(); ++other) {
       if (same(circles[k], circles[other])) {
         isFirst = isFirst && ids[k] <= ids[other];

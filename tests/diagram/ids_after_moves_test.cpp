@@ -37,7 +37,7 @@ TEST(IdsAfterMoves, FreeOnesAreUsedAgainLastFirst) {
   for (const SiteId id : ids) {
     if (id != 3 && id != 7 && id != 9) rest.push_back(id);
   }
-  // This many go elsewhere that the diagram is built anew.
+  // Nearly all sites move far, so the diagram is rebuilt.
   ASSERT_EQ(diagram.updateMany(rest, randomPoints(random, rest.size())), Error::kNone);
   for (const SiteId expected : {9u, 7u, 3u, 400u}) {
     SiteId id = kNoSite;

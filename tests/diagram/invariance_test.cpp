@@ -1,7 +1,7 @@
 // Changes that must not change the graph: scaling by powers of two, exact translation, one amount
 // added to all weights. These keep the order of sites too, so the canonical forms are equal index
-// by index, in degenerate position as well. Turning the plane by 90 degrees does not keep it; there
-// the answers in general position are compared.
+// by index, in degenerate position as well. Turning the plane by 90 degrees does not keep the
+// order; there the answers in general position are compared.
 #include <gtest/gtest.h>
 
 #include <algorithm>

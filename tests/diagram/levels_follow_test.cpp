@@ -1,6 +1,6 @@
-// A level of the hierarchy that cannot follow in place what the base can: its sites are on a
-// lattice, where any move changes faces, while those of the base are not. They leave it and enter
-// anew; that nothing is lost shows in the levels.
+// A level of the hierarchy that cannot follow moves in place, while the base can: its sites are on
+// a lattice, where any move changes faces; those of the base are not. Its sites leave it and enter
+// again; the levels show that none is lost.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,7 +20,7 @@ std::vector<std::uint8_t> levelsOf(const Diagram& diagram) {
   return levels;
 }
 
-/// One after the other, so that slots and with them levels are the same whatever the places.
+/// Inserts one after the other, so that slots and with them levels do not depend on the positions.
 void insertOneByOne(Diagram& diagram, const std::vector<double>& xyr) {
   SiteId id = kNoSite;
   for (std::size_t k = 0; k < xyr.size(); k += 3)

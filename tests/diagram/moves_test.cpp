@@ -34,7 +34,7 @@ double extentOf(const Circles& circles) {
   return extent > 0 ? extent : 1;
 }
 
-/// As a snapshot leaves it: with none of its circles, which are computed when they are asked for.
+/// The diagram restored from a snapshot: it has no circles, which are computed when needed.
 Diagram restored(const Diagram& diagram) {
   Diagram same;
   EXPECT_EQ(same.fromBytes(saved(diagram), Source::kTrusted), Error::kNone);
@@ -115,8 +115,8 @@ TEST_P(MovesOn, ManyAtOnceLeaveTheDiagramOfTheNewSites) {
   }
 }
 
-/// Steps of all sizes, in mean spacings, of sets that are large enough for edges to be flipped in
-/// some: small ones of each site, and of the whole set, which keeps what is degenerate about it.
+/// Steps of all sizes, in mean spacings, of sets that are large enough for some to flip edges.
+/// Small ones move each site by itself, or the whole set, which stays degenerate.
 TEST_P(MovesOn, StepsOfAllSizesLeaveTheDiagramOfTheNewSites) {
   Random random(94);
   Circles circles = GetParam().make(random, GetParam().large ? 200 : 30);
@@ -229,11 +229,11 @@ TEST(Moves, HiddenSitesFollowTheirCover) {
   EXPECT_EQ(broken, "");
 }
 
-/// A diagram that is built anew says so by its layout.
+/// The layout of a diagram shows whether it was rebuilt.
 TEST(Moves, AFewFlipsBuildNothingAnewAndFarMovesDo) {
   Random random(96);
   const auto n = static_cast<std::size_t>(runs(2000));
-  const double spacing = 2e6 / std::sqrt(static_cast<double>(n));  // of what randomCircles() makes
+  const double spacing = 2e6 / std::sqrt(static_cast<double>(n));  // mean one of randomCircles()
   for (const Hidden hidden : {Hidden::kNone, Hidden::k5Percent}) {
     Circles circles = randomCircles(random, n, hidden);
     DiagramCore core(Location::kHierarchy);

@@ -1,6 +1,6 @@
-// Moves that keep what is seen of each face and edge, but not the whole: the sites around a site go
+// Moves that keep each face and edge valid by itself, but not the whole: the sites around a site go
 // to where they wind around it twice. Triangles stay counter-clockwise and vertices in order along
-// edges; only that a vertex turns by more than a quarter, as seen from a site, gives it away.
+// edges; the only sign is that a vertex turns by more than a quarter, as seen from a site.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -48,8 +48,8 @@ std::vector<std::uint8_t> snapshotOf(const Circles& circles) {
   return saved(diagram);
 }
 
-/// Operations for a diagram of n sites made by mixed(). What they need is made beforehand, so that
-/// only the library allocates.
+/// Operations for a diagram of n sites made by mixed(). Their arguments are made beforehand, so
+/// that only the library allocates.
 std::vector<NamedOperation> changes(Random& random, std::size_t n) {
   const Circles others = mixed(random, n);
   const std::vector<double> xyr = flat(others);
@@ -114,8 +114,8 @@ std::vector<NamedOperation> changes(Random& random, std::size_t n) {
 
 enum class Failure { kOnce, kBudget };
 
-/// Whether the diagram comes from a snapshot, which leaves circles and hierarchy for later; or has
-/// no hierarchy at all.
+/// The origin of a diagram: built, restored from a snapshot, which leaves circles and hierarchy for
+/// later, or built without a hierarchy.
 enum class Origin { kBuilt, kRestored, kWithoutHierarchy };
 
 Diagram make(const Circles& circles, Origin origin) {
@@ -206,7 +206,7 @@ std::string failEverywhere(const Circles& circles, Origin origin, const NamedOpe
 
 class OutOfMemory : public ::testing::TestWithParam<Failure> {
  protected:
-  /// One message for each operation that goes wrong.
+  /// Runs each operation with failures of the heap; gives one message for each that goes wrong.
   void failAll(const Circles& circles, const std::vector<NamedOperation>& operations,
                Origin origin = Origin::kBuilt) {
     for (const NamedOperation& operation : operations) {
@@ -362,8 +362,8 @@ TEST_P(OutOfMemory, MovesInPlaceGoBackInTheirOrder) {
   EXPECT_GT(failed_, 6);
 }
 
-/// A call that flips edges, and one that has no room to build the diagram anew: its way back has
-/// nothing to do with those flips.
+/// A call that flips edges, then one that has no room to rebuild the diagram: undoing it leaves the
+/// flips of the first.
 TEST_P(OutOfMemory, FlipsOfAnEarlierCallStay) {
   Random random(10);
   const Circles circles = randomCircles(random, kEffortDivisor > 1 ? 60 : 200, Hidden::k20Percent);
@@ -428,7 +428,7 @@ TEST_P(OutOfMemory, GiantsOverManySitesAreTakenOutAgain) {
   EXPECT_GT(failed_, 10);
 }
 
-/// Hundreds of neighbours: undoing that takes more than what is held back.
+/// Hundreds of neighbours: undoing takes more than the reserve.
 TEST_P(OutOfMemory, GiantsWithManyNeighborsLeaveTheDiagramAsItWas) {
   Random random(8);
   Circles circles = giantDisk(random, kEffortDivisor > 1 ? 100 : sized(230u, 3000u));
@@ -482,7 +482,7 @@ TEST_P(OutOfMemory, AThousandSitesAtOnce) {
   EXPECT_GT(failed_, 5);
 }
 
-/// The words for what is broken are the only memory that validate() needs where something is.
+/// On a broken diagram validate() needs memory only for the text of its answer.
 TEST_P(OutOfMemory, WordsForWhatIsBroken) {
   if (internal::kShadowCheck)
     GTEST_SKIP() << "a filter may contradict the exact stage on an invalid graph";

@@ -1,6 +1,6 @@
-// updateMany of sites that nearly all go elsewhere builds the diagram anew. What must not show: ids
-// are the same, given and free ones, the rest of the sites is where it was, and the diagram is that
-// of the sites.
+// updateMany rebuilds the diagram if nearly all of its sites move far. A user must not see that:
+// given and free ids stay, the other sites are where they were, and the diagram is that of the
+// sites.
 #include <gtest/gtest.h>
 
 #include <numeric>

@@ -122,7 +122,7 @@ TEST_F(SnapshotParts, FreeSlotInTheGraph) {
   EXPECT_FALSE(isAccepted());
 }
 
-// --- The surface, which is looked at whoever the bytes come from
+// --- The surface, which is checked wherever the bytes come from
 
 TEST_F(SnapshotParts, TwinsThatAreNotMutual) {
   const std::uint32_t halfedges = 3 * word(7);

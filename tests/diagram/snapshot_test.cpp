@@ -1,6 +1,5 @@
-// Snapshots: what comes back is what was saved, on every platform; and whatever bytes are given,
-// nothing comes of them but a valid diagram or kCorruptSnapshot. (Bytes that are wrong more
-// cleverly: snapshot_mutants_test.cpp.)
+// Snapshots restore the saved diagram, on every platform; and any other bytes give a valid diagram
+// or kCorruptSnapshot. (snapshot_mutants_test.cpp tests bytes that are wrong more cleverly.)
 #include <gtest/gtest.h>
 
 #include <cstdint>
@@ -212,8 +211,8 @@ TEST(Snapshot, ReplacesWhatWasThere) {
   EXPECT_EQ(none.size(), 56u);
 }
 
-/// The levels of a restored diagram are made when they are asked for; until then nobody else may
-/// open them.
+/// The levels of a restored diagram are made when they are first needed; nothing else may open them
+/// before.
 TEST(Snapshot, RestoredDiagramsTakeMoreThanTheyHold) {
   Random random(91);
   const Circles circles =
@@ -430,8 +429,8 @@ TEST(Snapshot, TheFormatIsTheRecordedOne) {
   EXPECT_EQ(validated(restored), "");
   EXPECT_EQ(difference(canonical(diagram), canonical(restored)), "");
   EXPECT_EQ(saved(restored), old);
-  // Faces come in an order that depends on how diagrams are searched: after a change of that, these
-  // differ and can be recorded anew.
+  // The order of faces depends on how diagrams are searched: after a change of that, the bytes
+  // differ and can be recorded again.
   EXPECT_EQ(bytes, old) << "the same operations gave other bytes; APOLLONIUS_RECORD=1 writes them";
 }
 

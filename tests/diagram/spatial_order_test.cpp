@@ -209,7 +209,7 @@ TEST(RandomizedRounds, HaveGrowingSizes) {
   for (const std::size_t n : {0u, 1u, 2u, 3u, 10u}) EXPECT_TRUE(isPermutation(roundsOf(n))) << n;
   struct Case {
     std::size_t numbers;
-    double growth;        ///< of the sites, by a round
+    double growth;        ///< factor by which a round raises the number of sites
     std::size_t checked;  ///< rounds, from the last on; earlier ones are small
   };
   for (const auto& [numbers, growth, checked] : {Case{8000, 2, 5}, Case{1 << 16, 8, 3}}) {

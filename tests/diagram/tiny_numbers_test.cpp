@@ -62,7 +62,7 @@ TYPED_TEST(TinyNumbersOn, ARadiusThatDecaysEndsAsZero) {
   EXPECT_GT(zeros, 700);
   ASSERT_NO_FATAL_FAILURE(expectValid(diagram));
   auto neighbors = allNeighbors(diagram);
-  neighbors.resize(4);  // without the id of what was inserted
+  neighbors.resize(4);  // without the id of the inserted site
   EXPECT_EQ(neighbors, allNeighbors(madeOf<TypeParam>({0, 0, 0, 30, 0, 0, 0, 30, 0, -30, -30, 0})));
 }
 

@@ -53,7 +53,7 @@ TEST_P(WholeSets, MoveThereAndBack) {
       WholeSet set(circles);
       const WholeMove &first = moves[k], &second = moves[random.below(moves.size())];
       const auto step = [&](const Circles& next, const char* name) {
-        // Together is what is most at stake; the larger the set, the more so.
+        // Moving all together is the most at risk, most of all for large sets.
         const Way way = !isSmall && random.oneIn(2) ? Way::kTogether : ways[random.below(4)];
         std::string wrong = set.moveTo(next, way, random);
         if (wrong.empty()) wrong = set.check(random);
@@ -114,8 +114,8 @@ TEST_P(WholeSets, BatchesThatInsertAndRemoveMostOfThem) {
   expectRight(set.remove(some(set.circles().size())), "all");
   expectRight(set.insert(circles), "a set again");
   const Circles before = set.circles();
-  for (const std::size_t prefix :
-       {std::size_t{1}, n / 3, n - 1}) {  // of a batch, on the same diagram
+  // Prefixes of a batch, each on this diagram.
+  for (const std::size_t prefix : {std::size_t{1}, n / 3, n - 1}) {
     WholeSet copy(before);
     std::vector<std::size_t> positions(std::min(prefix, n));
     std::iota(positions.begin(), positions.end(), std::size_t{0});

@@ -21,7 +21,7 @@ namespace {
 
 using namespace test;
 
-/// How much more the shadow check may ask on its own account.
+/// The factor by which the shadow check may ask more on its own account.
 constexpr std::size_t kSlack = kShadowCheck ? 3 : 1;
 
 /// Answers of all stages since the last reset. Those of the filters that are settled on the way are

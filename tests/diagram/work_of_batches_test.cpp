@@ -83,7 +83,7 @@ Work workOf(const Circles& circles) {
   work.building = asked([&] { insertAll(core, sites.xyr, ids); });
   constexpr double kAnywhere = std::numeric_limits<double>::infinity();
   work.asking = asked([&] { listNearest(core, sites.xy, kAnywhere, found, {}); });
-  // Each site goes where another one was: so all are inserted anew.
+  // Each site goes where another one was: so all are inserted again.
   std::vector<SiteId> others(ids.begin() + 1, ids.end());
   others.push_back(ids.front());
   work.moving = asked([&] { core.updateMany(others, sites.xyr); });

@@ -27,8 +27,8 @@ using test::questions;
 using test::Random;
 using test::runs;
 
-/// Where a point of a spiral is, without functions that differ between platforms: each step turns
-/// by a rational rotation.
+/// Points on a spiral, without functions that differ between platforms: each step turns by a
+/// rational rotation.
 Circles spiral(std::size_t n, double growth) {
   constexpr double kCosine = 0.8, kSine = 0.6;
   Circles circles;
@@ -105,7 +105,7 @@ class WorstOrders : public ::testing::TestWithParam<NamedGenerator> {};
 
 TEST_P(WorstOrders, AskNoMorePerChangeOfLargerSets) {
   if (kShadowCheck) GTEST_SKIP() << "the shadow check asks on its own account";
-  constexpr std::size_t n = 600;  // of a tenth, under sanitizers, parallel lines ask little still
+  constexpr std::size_t n = 600;  // not a tenth under sanitizers: parallel lines ask too little
   for (const Order& order : orders()) {
     SCOPED_TRACE(order.name);
     Work work[2];

@@ -2,8 +2,8 @@
 #
 #   cmake -DROOT=… -DWORK=… -DCXX=… -P check.cmake
 #
-# Configuring refuses them, in all the ways in which they reach us; the sources do where they are
-# compiled without our CMake files; and what no macro tells of is seen when the program runs.
+# Configuring refuses them, in whatever way they come. The sources refuse them where they are
+# compiled without our CMake files. Flags that define no macro are noticed when the program runs.
 cmake_minimum_required(VERSION 3.25)
 
 function(expect_failure what pattern)

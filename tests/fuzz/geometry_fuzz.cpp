@@ -366,8 +366,8 @@ class Checker {
 
 void run(Bytes bytes) {
   const std::uint8_t fineness = bytes.next(), seed = bytes.next();
-  // The window before the circles, which take what is left of the bytes; but it may be made of
-  // them.
+  // Bytes of the window come before those of the circles, which take the rest; but it may be made
+  // of the circles.
   std::array<std::uint8_t, 24> ofWindow;
   for (std::uint8_t& byte : ofWindow) byte = bytes.next();
   const Circles circles = circlesOf(bytes);

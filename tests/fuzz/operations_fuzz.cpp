@@ -114,7 +114,7 @@ class Decoder {
     return false;
   }
 
-  /// Up to 16 circles in one call.
+  /// Inserts or updates up to 16 circles in one call.
   void someMore(Operation::Kind kind) {
     bool isJoined = false;
     for (int left = bytes_.next() % 16; left >= 0 && !bytes_.empty(); --left) {

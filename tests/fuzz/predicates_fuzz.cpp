@@ -22,7 +22,7 @@ void expect(bool holds, const char* what, const CloseCall& call) {
   std::abort();
 }
 
-/// How many pieces of an edge q leaves.
+/// The number of pieces of an edge that q leaves.
 std::size_t piecesLeft(const EdgeCorners& e, const Site& q) {
   const bool atK = isVertexInConflict(e.i, e.j, e.k, q), atL = isVertexInConflict(e.j, e.i, e.l, q);
   if (atK != atL) return 1;

@@ -1,7 +1,7 @@
-// libFuzzer target: bytes are circles, some changes, and places. What the queries find there is
-// what trying all circles finds, with the oracle's distances: kNearest, within, NearestFirst, pick,
-// search; and a diagram that was built in steps has the bytes of one that was built at once. How to
-// run: README.md beside this.
+// libFuzzer target: bytes are circles, some changes, and places. There queries must find what a
+// search of all circles finds with the oracle's distances: kNearest, within, NearestFirst, pick,
+// search. A diagram that was built in steps must have the bytes of one that was built at once. How
+// to run: README.md beside this.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -68,7 +68,7 @@ class Checker {
     expect(whole == inSteps, "built in steps it is another");
   }
 
-  /// One circle goes or moves.
+  /// Removes or moves one circle.
   void change() {
     const std::uint8_t code = bytes_.next();
     if (circles_.empty() || code % 4 > 1) return;

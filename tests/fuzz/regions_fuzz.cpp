@@ -23,7 +23,7 @@ void expect(bool holds, const char* what, SiteId id = kNoSite) {
 
 void take(Error error) { expect(error == Error::kNone, "an error"); }
 
-/// Some with corners at centres.
+/// Rings of a region; some have corners at centres.
 void ringsOf(Bytes& bytes, const Circles& circles, std::vector<double>& coordinates,
              std::vector<std::uint32_t>& starts) {
   const std::uint8_t kind = bytes.next();

@@ -10,9 +10,9 @@
 //                                                    that was found, minimised
 //
 // It can be stopped at any time; the table is printed then, too. A finding is an input that ends a
-// target; it is kept in build/fuzz/findings with the target's output, and the run ends with 1. What
-// is run is added to docs/figures.json, over all states of src/: a finding, once it is mended, is a
-// test, and no reason to begin anew.
+// target; it is kept in build/fuzz/findings with the target's output, and the run ends with 1.
+// Executions are added up in docs/figures.json, over all states of src/: a finding, once its cause
+// is mended, is a test, and no reason to count from zero.
 import { spawn } from "node:child_process";
 import { createHash } from "node:crypto";
 import {
@@ -41,10 +41,10 @@ const home = path.join(root, "build", "fuzz");
 const findings = path.join(home, "findings");
 const archive = path.join(root, "tests", "fuzz", "corpus.tar.gz");
 const seeds = path.join(home, "program", "corpus"); // where CMake unpacks it
-const sliceSeconds = 600; // each begins with reading what is there, which is not counted
+const sliceSeconds = 600; // each begins with reading the corpus, which is not counted
 const mostOfCorpus = 100;
 
-/** How long inputs may be: what a target reads of them. */
+/** Longest inputs: the number of bytes that a target reads. */
 const lengths = {
   operations_fuzz: 512,
   snapshot_fuzz: 4096,
@@ -74,7 +74,7 @@ async function build(targets) {
   );
 }
 
-/** Where a target starts from, and where it puts what it finds new: [mine, …others]. */
+/** The folders from which a target starts; into the first it puts its new inputs. */
 function corpora(target) {
   const mine = path.join(home, "corpus", target);
   mkdirSync(mine, { recursive: true });
@@ -109,10 +109,10 @@ function run(program, args, { seconds } = {}) {
   });
 }
 
-/** One slice; what it did. */
+/** Runs one slice; returns its results. */
 async function slice(folder, target, seconds) {
   const start = performance.now();
-  // At the lowest priority: nobody waits for it.
+  // At the lowest priority, as it is not urgent.
   // (libFuzzer looks at the time only when it has read the corpus, which on a busy machine takes
   // minutes.)
   const { code, output, isInterrupted } = await run(
@@ -150,7 +150,7 @@ let isStopped = false;
 
 /**
  * Keeps `jobs` slices running until the time is over, always of the target that has had the least
- * time. (Several of one target find what the others have put into the corpus when they begin.)
+ * time. (Several slices of one target read, when they begin, inputs that others have found.)
  */
 async function fuzz(folder, targets, minutes, jobs) {
   mkdirSync(findings, { recursive: true });

@@ -1,9 +1,9 @@
 // libFuzzer target: bytes are read as a sequence of operations on a SphericalDiagram: single ones,
 // batches, sets that a generator draws, snapshots, sound ones and false ones. Centres are mostly of
 // lattices of whole degrees, with poles, the antimeridian, duplicates and antipodes, and many
-// weights hide other sites. After each call validate() runs, and what the queries, areas and
-// polygons say is compared with trying all sites. A failure prints the history. How to run:
-// README.md beside this file.
+// weights hide other sites. After each call validate() runs, and queries, areas and polygons are
+// compared with brute force over all sites. A failure prints the history. How to run: README.md
+// beside this file.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -28,7 +28,7 @@ namespace {
 constexpr std::size_t kMostCalls = 40;
 constexpr std::size_t kMostSites = 160;
 
-/// How centres are made of bytes.
+/// Ways to make centres of bytes.
 enum class Centres : std::uint8_t { kThirtyDegrees, kFifteenDegrees, kBesideLattice, kDoubles };
 
 class Checker {
@@ -75,7 +75,8 @@ class Checker {
     return {lon, 90 * number()};
   }
 
-  /// In radians. Lattice points are at multiples of 15 degrees, so that some touch from inside.
+  /// A weight in radians. Lattice points are at multiples of 15 degrees, so that some touch from
+  /// inside.
   double weight() {
     constexpr double kPi = std::numbers::pi;
     constexpr double kWeights[] = {0,   0,    0.1,  0.25,  kPi / 12, kPi / 6, 1,       kPi / 2,
@@ -276,7 +277,7 @@ class Checker {
     if (!condition) fail(what);
   }
 
-  /// On the unit sphere.
+  /// Distance on the unit sphere.
   [[nodiscard]] double distanceFrom(const SphericalPoint& p, SiteId id) const {
     const SphericalCircle& site = sites_.at(id);
     return distanceOf(p, {site.lon, site.lat, site.r / radius_});
@@ -419,8 +420,8 @@ class Checker {
     expect(std::abs(sum - 1) < 1e-12, "weights add up to " + std::to_string(sum));
   }
 
-  /// Are two sites the same but for rounding, or does one touch another from inside? Rounding
-  /// decides then where their cells, which are thinner than it, have their ends.
+  /// Are two sites equal up to rounding, or does one touch another from inside? Then their cells
+  /// are thinner than rounding, which decides where they end.
   [[nodiscard]] bool hasClosePair() const {
     constexpr double kClose = 1e-12;
     for (const auto& [id, a] : sites_) {

@@ -53,7 +53,7 @@ void expectTheSame(const std::vector<Ring>& rings) {
     ASSERT_EQ(swept.polygon.starts[k], expected.polygon.starts[k]) << k;
 }
 
-/// Its corners on the axes, or turned.
+/// A polygon with its corners on the axes, or turned.
 Ring polygon(int corners, double x, double y, double radius, double turn = 0) {
   Ring ring;
   for (int k = 0; k < corners; ++k) {

@@ -1,5 +1,5 @@
-// Cells where they meet the window's border: after any history the same, and together the window,
-// also where it is many times as large as what is in it.
+// Cells at the window's border: they do not depend on the history, and fill the window together,
+// also where it is many times as large as the set of sites.
 #include <gtest/gtest.h>
 
 #include "geometry/shapes.h"
@@ -111,7 +111,7 @@ TEST(Cells, OfClustersSeenFromFarAwayFillTheWindow) {
 }
 
 /// A cell whose contacts with the border are all in pairs, at corners: between them, along two
-/// whole sides, are cells that are thinner than what a double can tell at the window's size.
+/// whole sides, are cells that are thinner than the spacing of doubles at the window's size.
 TEST(Cells, BehindCellsMuchThinnerThanTheWindowDoNotTakeItAll) {
   const auto expectWhole = [](const Bounds& bounds, const Circles& circles) {
     Diagram diagram;
@@ -227,7 +227,7 @@ TEST(Cells, WithoutAreaHaveNoPerimeter) {
   }
 }
 
-/// Rings of a window whose points are in line but for their last digits, in one cell and across
+/// Rings of a window whose points are in line up to their last digits, in one cell and across
 /// several: windows have no such rings.
 TEST(Cells, HaveNoPerimeterAlongFlatRings) {
   Random random(530);

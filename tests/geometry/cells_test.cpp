@@ -93,8 +93,8 @@ TEST_P(CellsOn, BoundariesAreClosedAndShared) {
     Bounds bounds;
     if (!windowAround(circles, share, bounds)) continue;
     const Voronoi voronoi(diagram, bounds);
-    std::multiset<std::vector<double>>
-        seen;  // curves of cells, and of the cells beyond reversed: each must cancel
+    // Curves whose reverse, a curve of the cell beyond, has not been seen.
+    std::multiset<std::vector<double>> seen;
     for (SiteId id = 0; id < circles.size(); ++id) {
       CurveArrays cell;
       ASSERT_EQ(voronoi.cellCurves(id, cell), Error::kNone);

@@ -138,7 +138,7 @@ TEST(Conic, SagittaHasTheSameBitsInBothDirections) {
 }
 
 TEST(Conic, OfAFewDoublesIsNotHalvedWithoutEnd) {
-  const double step = 0x1p-33;  // of doubles around a million
+  const double step = 0x1p-33;  // between doubles around a million
   for (const double w : {1.0, 3.0, 1e9}) {
     const Conic conic{{1e6, 1e6}, {1e6 + step, 1e6}, w, {1e6 + step, 1e6 + step}};
     Path path;

@@ -1,5 +1,5 @@
-// Circles that touch, or miss it by a rounding: what the hull, the disk about a site and the areas
-// make of them. Independent of the curves: hulls of sampled circles, points whose nearest site is
+// The hull, the disk about a site and the areas, for circles that touch, or fail to by a rounding.
+// The tests do not use the curves, but hulls of sampled circles, and points whose nearest site is
 // found by comparing all.
 #include <gtest/gtest.h>
 

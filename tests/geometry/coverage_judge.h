@@ -32,7 +32,7 @@ class CoverageJudge {
       complain() << "areas add up to " << sum_ << " of " << area;
   }
 
-  /// Every segment has its reverse in another cell, or satisfies this.
+  /// Expects that every segment has its reverse in another cell, or satisfies the condition.
   template <class IsOnBorder>
   void expectPairs(IsOnBorder&& isOnBorder) {
     for (const auto& [ends, site] : segments_) {
@@ -107,7 +107,7 @@ class CoverageJudge {
   std::ostringstream text_;
 };
 
-/// Up to rounding: a share of the window's numbers.
+/// Rounding of points on the border, as a share of the window's largest coordinate.
 inline constexpr double kCoverageRounding = 1e-11;
 
 inline double sizeOf(const Bounds& b) {

@@ -151,7 +151,7 @@ TEST_P(DualOn, HullHoldsAllCirclesAndTouchesIt) {
     std::vector<Segment> polygon = segmentsOf(path);
     for (int k = 0; k < 64; ++k) {
       // The support function: the furthest point in a direction, of all circles, of the listed
-      // sites, and of what is drawn.
+      // sites, and of the drawing.
       const Direction d = randomDirection(random);
       double all = -1e300, listed = -1e300, drawn = -1e300;
       for (const Circle& c : circles) all = std::max(all, c.x * d.x + c.y * d.y + c.r);

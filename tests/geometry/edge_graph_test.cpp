@@ -58,7 +58,7 @@ double clearanceOn(const Conic& curve, double t, const Circle& a, const Circle& 
   return (clearanceAt(a, p) + clearanceAt(b, p)) / 2;
 }
 
-/// By search: along an edge the clearance falls and then rises.
+/// The least clearance on an edge, by search: along the edge it falls and then rises.
 double leastOn(const Conic& curve, const Circle& a, const Circle& b) {
   double low = 0, high = 1;
   for (int step = 0; step < 200; ++step) {

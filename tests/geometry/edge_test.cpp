@@ -1,5 +1,5 @@
-// Edges as curves: their ends come in their order along the bisector, also where four decimals are
-// on one circle but for rounding, and the edge between them is shorter than that.
+// Edges as curves: their ends are in order along the bisector, also where four points with decimals
+// are on one circle up to rounding, and the edge between them is shorter than that.
 #include "geometry/curve/edge.h"
 
 #include <gtest/gtest.h>

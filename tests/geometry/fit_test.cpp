@@ -20,7 +20,7 @@ Region regionOf(const std::vector<double>& coordinates, const std::vector<std::u
 
 Region square(double size) { return regionOf({0, 0, size, 0, size, size, 0, size}, {0, 4}); }
 
-/// With a hole, and a part that holds no others' neighbours.
+/// A region with a hole, and with a part whose cells have no neighbours in the others.
 Region holed() {
   return regionOf({0, 0, 1000, 0, 900, 1000, 500, 500, 0, 1000, 300, 200, 500, 200, 400, 400},
                   {0, 5, 8});
@@ -59,7 +59,7 @@ int fit(Diagram& diagram, const Region& region, const std::vector<double>& targe
   return steps;
 }
 
-/// By the areas of polygons, one by one, within a tolerance of theirs.
+/// Checks areas by those of polygons, one by one; `tolerance` allows for theirs.
 void expectAreas(const Diagram& diagram, const Region& region, const std::vector<double>& targets,
                  double tolerance) {
   double sum = 0;
@@ -165,7 +165,7 @@ TEST(Fit, ReachesRandomTargetsInASquare) {
   }
 }
 
-/// Nearly a normal deviate.
+/// Approximately a normal deviate.
 double normal(Random& random) {
   double sum = 0;
   for (int n = 0; n < 12; ++n) sum += random.between(-0.5, 0.5);
@@ -185,7 +185,7 @@ TEST(Fit, ReachesHeavyTailsInARegionWithAHole) {
   expectAreas(diagram, region, targets, 1e-3);
 }
 
-/// Those that have a part of the region when all are there.
+/// The circles that have a part of the region when all are in the diagram.
 Circles withCellsIn(const Region& region, const Circles& all) {
   Diagram diagram;
   insertInto(diagram, all);
@@ -199,8 +199,8 @@ Circles withCellsIn(const Region& region, const Circles& all) {
 }
 
 TEST(Fit, ReachesTargetsAcrossHolesAndSeas) {
-  // Cells vanish into what is not of the region, and are covered from across it. Without
-  // regularization (area_fitter.h) the first of these, and others, ended too early.
+  // Cells vanish into parts that are not of the region, and are covered from across them. Without
+  // regularization (area_fitter.h) the first of these fits, and others, ended too early.
   const std::vector<double> islands{0,   0,   300, 0,   300, 300, 0,    300, 600,  500, 1000,
                                     500, 800, 900, 100, 800, 250, 1000, 100, 1000, 50,  900};
   const std::vector<double> moat{0,   0,  1000, 0,   1000, 1000, 0,  1000,
@@ -460,7 +460,7 @@ TEST(Fit, WeightsAreThoseThatTheDiagramGets) {
 }
 
 // After an error there is nothing to step or to finish. (A fit that was refused, or that had run
-// out of memory, said that it was done, and read what was not there.)
+// out of memory, said that it was done, and read beyond its arrays.)
 TEST(Fit, EndsWhereOnlyLastPlacesWouldChange) {
   // Needles: the last bit of a weight moves the smallest cell by more than any tolerance.
   for (const std::vector<double>& targets :

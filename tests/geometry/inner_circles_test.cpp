@@ -99,7 +99,7 @@ TEST(InnerCircle, OfThinOutlinesAtAnyAngle) {
     for (const int k : {0, 2, 4})
       fan.push_back({{0, 0}, {1, 0.37 + k * width}, {1, 0.37 + (k + 1) * width}});
     EXPECT_GT(radiusIn(fan), 0.46 * width * kEnough - 1e-15);
-    // A ring, in which all places are as good but for its corners
+    // A ring, in which all places are equally good, except those at corners.
     Points inner = regular(60, 1 - width);
     std::reverse(inner.begin(), inner.end());
     const double r = radiusIn({regular(60, 1), inner});
@@ -160,7 +160,7 @@ struct Scene {
   Diagram diagram;
   Bounds bounds{0, 0, 100, 60};
   Region region;  // bounds with a hole
-  Points border;  // of the region; the first four points are of the bounds
+  Points border;  // corners of the region; the first four are those of the bounds
 
   explicit Scene(Circles sites) : circles(std::move(sites)) {
     std::vector<SiteId> ids(circles.size());

@@ -17,7 +17,7 @@ namespace {
 using namespace internal;
 
 constexpr Rectangle kWindow{0, 0, 100, 60};
-/// Less than rounding can move a point of this window.
+/// A length less than rounding can move a point of this window.
 constexpr double kLittle = 0x1p-36;
 
 /// Rings as those of cells of one site, each of a cell. On the right side of the window is the

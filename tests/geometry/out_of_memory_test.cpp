@@ -33,7 +33,7 @@ struct Subject {
   Diagram empty;
 };
 
-/// A call by name; what it answers goes into the hash, which needs no memory.
+/// A call by name; its answers go into the hash, which needs no memory.
 struct Call {
   std::string name;
   std::function<Error(Subject&, Hash&)> run;
@@ -241,7 +241,7 @@ std::vector<Call> others(const std::vector<double>& xyr) {
            for (bool isDone = false; error == Error::kNone && !isDone;)
              error = builder.advance(3, isDone);
            hash.add(builder.progress());
-         } catch (const std::bad_alloc&) {  // of the constructor
+         } catch (const std::bad_alloc&) {  // from the constructor
            error = Error::kOutOfMemory;
          }
          if (error != Error::kNone) {
@@ -265,7 +265,7 @@ Circles centres(Random& random) {
   return circles;
 }
 
-/// Some steps to areas that differ, and the diagram gets the weights.
+/// Makes some steps of a fit to unequal areas, and gives the weights to the diagram.
 Error fit(Subject& s, const std::vector<double>& start) {
   constexpr double kTargets[kFitted] = {1, 2, 3, 4, 4, 3, 2, 1};
   AreaFit fit;
@@ -289,7 +289,7 @@ class GeometryOutOfMemory : public ::testing::Test {
     return subject;
   }
 
-  /// At each allocation, one by one.
+  /// Makes a call fail at each allocation, one by one.
   void fail(const Call& call, bool isRestored) {
     SCOPED_TRACE(call.name + ", sites: " + std::to_string(circles_.size()));
     Hash expected;

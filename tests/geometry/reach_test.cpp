@@ -146,7 +146,7 @@ TEST(Reach, ADistanceForEachSite) {
   }
   EXPECT_NEAR(straight, 8, 1e-12);
   EXPECT_NEAR(shared, 2 * std::sqrt(3.5 * 3.5 - 9), 1e-12);
-  CurveArrays edges;  // of both cells
+  CurveArrays edges;  // between the two cells
   ASSERT_EQ(voronoi.edgeCurves(edges), Error::kNone);
   EXPECT_NEAR(lengthOfCurves(edges), shared, 1e-12);
 }

@@ -1,5 +1,5 @@
-// The calls of regions: what is refused, what is drawn, and that lists, measures and drawings of
-// all cells say what those of each cell say.
+// The calls of regions: refusals, drawings, and that lists, measures and drawings of all cells
+// agree with those of each cell.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -49,10 +49,10 @@ TEST(RegionCalls, BadRingsAreRefusedAndChangeNothing) {
       {{0, 0, 4, 0, 0, kInf}, {0, 3}},
       {{0, 0, 1e101, 0, 0, 4}, {0, 3}},
       {{0, 0, 1e-101, 0, 0, 4}, {0, 3}},
-      {{0, 0, 4, 0, 2, 0}, {0, 3}},                       // nothing inside: of no height,
-      {{0, 0, 0, 4, 0, 2}, {0, 3}},                       // of no width,
-      {{0, 0, 4, 4, 2, 2}, {0, 3}},                       // slanted,
-      {{0, 0, 4, 0, 0, 4, 0, 4, 4, 0, 0, 0}, {0, 3, 6}},  // or twice
+      {{0, 0, 4, 0, 2, 0}, {0, 3}},                       // nothing inside: a horizontal line,
+      {{0, 0, 0, 4, 0, 2}, {0, 3}},                       // a vertical one,
+      {{0, 0, 4, 4, 2, 2}, {0, 3}},                       // a slanted one,
+      {{0, 0, 4, 0, 0, 4, 0, 4, 4, 0, 0, 0}, {0, 3, 6}},  // or one ring twice
   };
   for (std::size_t k = 0; k < std::size(bad); ++k) {
     EXPECT_EQ(region.assign(bad[k].first, bad[k].second), Error::kBadBounds) << k;

@@ -58,7 +58,7 @@ TEST(RegionCases, ASideAlongAnEdgeBelongsToTheCellInside) {
   }
 }
 
-/// With decimals the side is next to the edge: what is left between them is nothing.
+/// With decimals the side is next to the edge: nothing is left between them.
 TEST(RegionCases, ASideNextToAnEdgeLeavesNoSlivers) {
   for (int a = -7; a < 7; ++a) {
     for (int c = a + 1; c < 9; ++c) {

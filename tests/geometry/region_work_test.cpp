@@ -27,9 +27,9 @@ Point polar(double radius, double angle) {
 struct Wheel {
   const char* name;
   double hub;           ///< the weight in the middle
-  double near, weight;  ///< of the others; `near` is how near they come to the centre
+  double near, weight;  ///< the others' least distance from the centre, and their weight
   bool isRandom;        ///< neither the directions nor the weights are even
-  double margin;        ///< what a side may ask, in levels of a binary tree
+  double margin;        ///< most questions for a side, in levels of a binary tree
 
   [[nodiscard]] std::vector<double> circles(std::size_t count) const {
     Random random(871);
@@ -42,7 +42,7 @@ struct Wheel {
     }
     return xyr;
   }
-  /// How far the cell in the middle reaches.
+  /// The radius of the cell in the middle.
   [[nodiscard]] double reach() const { return (near + hub) / 2; }
 };
 
@@ -68,7 +68,7 @@ Walked walk(const DiagramCore& core, const std::vector<Ring>& rings) {
   return walked;
 }
 
-/// Around the middle; every second point at another distance.
+/// A ring around the middle, with every second point at another distance.
 Ring around(std::size_t points, double outer, double inner) {
   Ring ring;
   for (std::size_t k = 0; k < points; ++k)

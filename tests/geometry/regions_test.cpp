@@ -23,7 +23,7 @@ struct Rings {
     starts.push_back(static_cast<std::uint32_t>(coordinates.size() / 2));
     return *this;
   }
-  /// By the even-odd rule, as anyone would write it.
+  /// Does it hold a point? By a plain even-odd rule.
   [[nodiscard]] bool holds(double x, double y) const {
     bool inside = false;
     for (std::size_t r = 0; r + 1 < starts.size(); ++r) {

@@ -100,7 +100,7 @@ TEST(RingNesting, FindsWhatAskingAllFinds) {
   EXPECT_GT(found, runs(300) * 10);
 }
 
-/// How much is looked at to sort the holes of the first site's cell, by holes.
+/// Number of looks per hole to sort the holes of the first site's cell.
 double looksOfEach(const std::vector<Corners>& rings, const std::vector<double>& circles) {
   NormalizedPolygon polygon;
   std::vector<double> coordinates;

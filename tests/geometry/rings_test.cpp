@@ -134,7 +134,7 @@ TEST(Rings, OfSmallCirclesNearlyTouchingLargeOnes) {
 }
 
 TEST(Rings, ThroughTheirOwnCentre) {
-  // Circles that touch from within, but for rounding: cells that begin within a double of their
+  // Circles that touch from within, up to rounding: their cells begin within a double of their
   // centre, so that points of the ring are on it.
   int needles = 0;
   for (int x = -70; x <= 70; x += 5) {
@@ -192,7 +192,7 @@ TEST(Vertices, OfManySitesOnOneCircleAreOne) {
         circles = lattice(random, 5, 4, 3, 1);
         break;
     }
-    if (run % 8 >= 4) {  // the same in another unit, off the integers, and not about the origin
+    if (run % 8 >= 4) {  // in another unit, off the integers, and not about the origin
       for (Circle& c : circles) c = {c.x * 0x1p-7 + 5, c.y * 0x1p-7 - 11, c.r * 0x1p-7};
     }
     Diagram diagram;
@@ -238,7 +238,7 @@ struct AtASide {
   std::size_t side;
   double place;  // both coordinates
 
-  /// At this distance from the place, outwards.
+  /// A circle at this distance from the place, outwards.
   [[nodiscard]] Circle circle(double away, double weight) const {
     const double x[] = {1, 0, -1, 0}, y[] = {0, 1, 0, -1};
     return {place + x[side] * away, place + y[side] * away, weight};

@@ -114,7 +114,7 @@ inline double sumOfAreas(const Circles& circles, const Bounds& bounds) {
   return std::abs(cells - 1) > std::abs(sum - 1) ? cells : sum;
 }
 
-/// How often rings wind around a point (even-odd is enough: they do not overlap).
+/// Is a point inside rings? (The even-odd rule is enough: they do not overlap.)
 inline bool isInside(const RingArrays& rings, double x, double y) {
   bool inside = false;
   for (std::size_t r = 0; r + 1 < rings.starts.size(); ++r) {

@@ -180,7 +180,7 @@ TEST(SmallCells, SliversOfRounding) {
   EXPECT_LT(pointsOf(Voronoi(diagram, region), 4, 1e-15), 200u);
 }
 
-/// Points are in proportion to what is drawn: none for straight edges, some for each curved one.
+/// The number of points fits the drawing: none for straight edges, some for each curved one.
 TEST(SmallCells, PointsAreInProportion) {
   Random random(3402);
   const auto points = [&](std::size_t count, double weight) {

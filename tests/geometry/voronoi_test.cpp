@@ -113,9 +113,9 @@ TEST(Voronoi, PortionsMakeUpTheWhole) {
 }
 
 TEST(Voronoi, DrawingsAreOnTheCurves) {
-  // Ends of drawn pieces are equally far from the two nearest sites, and what is between up to the
-  // tolerance: each of the two distances changes by at most as much as the point moves. Small
-  // tolerances and large ones, so that all ways of drawing an edge are taken.
+  // Ends of drawn pieces are equally far from the two nearest sites; points between them are up to
+  // the tolerance, as each of the two distances changes by at most as much as the point moves.
+  // Tolerances are small and large, so that all ways of drawing an edge are taken.
   Random random(542);
   for (const double share : {1e-7, 1e-5, 1e-3, 0.03}) {
     const Circles circles = randomCircles(random, 200, Hidden::k50Percent);
@@ -214,7 +214,7 @@ TEST(VoronoiDeterminism, CurvesHaveTheSameBitsAfterAnyHistory) {
             diagram.insert(circles[which].x, circles[which].y, circles[which].r, order[which]),
             Error::kNone);
       }
-      if (run == 1) {  // of identical circles the last one is visible here: those come first
+      if (run == 1) {  // among identical circles the last one, inserted first, is visible
         for (SiteId& id : order) {
           bool hidden = false;
           ASSERT_EQ(diagram.isHidden(id, hidden), Error::kNone);
@@ -394,7 +394,7 @@ TEST(Voronoi, PolygonsOfManyCellsAreThoseOfEach) {
   }
 }
 
-/// The weights of curves as short as these are 1 but for rounding, which can take them below.
+/// The weights of curves as short as these are 1 up to rounding, which can take them below.
 TEST(Voronoi, ShortEdgesAreDrawnFromEndToEnd) {
   Random random(545);
   Circles circles;

@@ -1,7 +1,7 @@
-# Whether others can use the library: a CTest script, after a build in the folder BUILD.
-# Installs it into an empty folder, and builds and runs a program with what is there; compiles the
-# same program with the library's sources as a part of its project. Takes -DROOT= -DBUILD= -DCONFIG=
-# -DCXX= -DVERSION= -DFLAGS=
+# Checks that others can use the library: a CTest script, after a build in the folder BUILD.
+# Installs it into an empty folder, and builds and runs a program with the installed files; compiles
+# the same program with the library's sources as a part of its project. Takes -DROOT= -DBUILD=
+# -DCONFIG= -DCXX= -DVERSION= -DFLAGS=
 cmake_minimum_required(VERSION 3.25)
 
 function(run)

@@ -3,8 +3,8 @@
 //   npm run mutants                        all of tests/mutants/mutants.json; an hour on two cores
 //   npm run mutants -- --from 20 --to 40   some of them
 //   npm run mutants -- --only predicate    those of files whose path has that in it
-//   npm run mutants -- --longest 1         with tests of a second at most: a first look, of which
-//                                          only what is noticed is kept
+//   npm run mutants -- --longest 1         with tests of a second at most: a first look, which
+//                                          keeps only the mutants that are noticed
 //   npm run mutants -- --propose 150       prints as many new ones, spread over the files of src/:
 //                                          for a person to choose from
 //
@@ -13,8 +13,8 @@
 // once, with the shadow check. Each test is run once without any mutant, to see how long it takes
 // and which mutants it comes by; then the tests that come by a mutant are run with it, quick ones
 // first, until one fails, ends or hangs. A mutant with an `equivalent` (why no test can notice it)
-// is not run. The report goes to build/mutants/report.json after each mutant; what has been noticed
-// is kept for as long as mutant and file do not change. A run of all writes docs/figures.json.
+// is not run. The report goes to build/mutants/report.json after each mutant; noticed mutants are
+// kept until the mutant or the file changes. A run of all writes docs/figures.json.
 import { spawnSync } from "node:child_process";
 import { createHash } from "node:crypto";
 import { existsSync, mkdirSync, readdirSync, readFileSync, statSync, writeFileSync } from "node:fs";
@@ -59,7 +59,7 @@ const sourceOf = (file) => readFileSync(path.join(root, file), "utf8");
 const keyOf = ({ file, line, becomes }) =>
   digest(file, normalized(line), normalized(becomes), normalized(sourceOf(file)));
 
-/** Writes a file of the copy, unless it is there as it should be: then nothing is built anew. */
+/** Writes a file of the copy if its content differs: an unchanged file is not compiled again. */
 function write(name, content) {
   const place = path.join(tree, name);
   if (existsSync(place) && readFileSync(place).equals(Buffer.from(content))) return;
@@ -75,7 +75,7 @@ function run(program, args) {
   if (status !== 0) throw new Error(`${program} ${args.join(" ")} ends with ${status}`);
 }
 
-/** A copy of what is built, with all mutants in it. */
+/** Writes the copy of the sources, with all mutants in it. */
 function writeTree() {
   const files = new Map(); // by name: [mutant, number]
   all.forEach((mutant, number) =>
@@ -84,7 +84,7 @@ function writeTree() {
   for (const folder of ["tests", "wasm", "bench", "cmake", "src"]) {
     for (const name of readdirSync(path.join(root, folder), { recursive: true })) {
       const file = path.join(folder, name);
-      if (name.includes("node_modules")) continue; // of tests/strangers
+      if (name.includes("node_modules")) continue; // tests/strangers has one
       if (!statSync(path.join(root, file)).isFile()) continue;
       const mutants = files.get(file);
       write(

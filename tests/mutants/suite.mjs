@@ -159,7 +159,7 @@ export class Suite {
    * others.
    */
   async noticedBy(number, own, longest) {
-    // else at most by a death test, whose child process tells nobody
+    // else at most a death test reaches it, whose child process does not report that
     const isReached = this.tests.some(({ reaches }) => reaches.has(number));
     const tests = this.tests.filter(
       ({ reaches, seconds, program }) =>

@@ -44,7 +44,7 @@ const statementWords = new Set([
   "case",
 ]);
 
-/** How many brackets close that were opened before, and how many stay open. */
+/** The number of closing brackets that were opened before the tokens, and of those left open. */
 function unmatched(tokens) {
   let closed = 0,
     open = 0;

@@ -39,7 +39,7 @@ class Operands {
                                            : value * std::ldexp(random_.between(-1, 1), -53);
     return Twofold(value) + rest;
   }
-  /// Nearly or just -a.
+  /// Nearly or exactly -a.
   Twofold nearlyMinus(const Twofold& a) {
     const double value = random_.oneIn(2) ? a.value : std::nextafter(a.value, 0);
     return Twofold(-value) + a.rest * random_.between(-1, 1);

@@ -21,7 +21,7 @@ namespace {
 
 using test::Random;
 
-/// From next to nothing to as large as the circle.
+/// An error from next to nothing to the size of the circle.
 float someError(Random& random) {
   if (random.oneIn(3)) return std::numeric_limits<float>::min();
   return static_cast<float>(std::ldexp(1.0, -static_cast<int>(random.integer(-1, 54))));
@@ -55,9 +55,9 @@ TEST(CircleFilter, KnowsOnlyWhatHoldsForAllCirclesWithinTheError) {
     VoronoiCircle circle{random.between(-1, 1), random.between(-1, 1), random.between(-0.2, 1), 0,
                          -1};
     circle.error = someError(random);
-    // Touches, but for the error, rounding, or a little of both. With the centre on an axis or a
-    // diagonal from q, its errors are all that the difference has.
-    // Roundings are largest, as shares, of what is a little more than a power of two.
+    // q touches the circle, up to the error, rounding, or a little of both. With the centre on an
+    // axis or a diagonal from q, the difference has no errors but those of the centre.
+    // As shares, roundings are largest for numbers a little above a power of two.
     const double way = random.oneIn(3)
                            ? 1 + random.between(0, 1e-3)
                            : std::ldexp(random.between(1, 2), -static_cast<int>(random.below(30u)));
@@ -226,7 +226,7 @@ TEST(EdgeShortcut, SaysNothingOfUnboundedEdges) {
 /// Nothing is said of sites so close together that products of their differences underflow.
 TEST(EdgeShortcut, SaysNothingWhereProductsUnderflow) {
   Random random(155);
-  constexpr double kUnit = powerOfTwo(-384);  // of coordinates next to the smallest there are
+  constexpr double kUnit = powerOfTwo(-384);  // the last place of the smallest coordinates
   for (int run = 0; run < test::runs(5000); ++run) {
     const auto number = [&] {
       return powerOfTwo(-332) + kUnit * static_cast<double>(random.below(std::int64_t{1} << 40));
@@ -264,7 +264,7 @@ TEST(EdgeCircles, KnowOnlyWhatHoldsOfEdgesWithInfinity) {
   int known = 0;
   for (int run = 0; run < test::runs(50000); ++run) {
     const float slope = std::numeric_limits<float>::min();
-    const auto near = [&](const VoronoiCircle& c) {  // a multiple of it, but for rounding
+    const auto near = [&](const VoronoiCircle& c) {  // a multiple of it, up to rounding
       const double size = random.oneIn(2) ? random.between(0.5, 2) : -random.between(0.5, 2);
       return halfPlane(aside(size * c.x, random), aside(size * c.y, random), slope);
     };

@@ -1,5 +1,5 @@
 // The circle of a face is computed in two ways, alone and two at a time, by the same formulas with
-// the same bound (circle_fan.cpp): what one of them has lost the other one shows.
+// the same bound (circle_fan.cpp): each shows errors of the other.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -87,7 +87,7 @@ TEST(CircleTwins, HaveTheSameBound) {
   EXPECT_GT(certain, test::runs(5000));
 }
 
-/// From where on nothing is certain is the same for both, but for numbers next to a limit.
+/// Both cease to be certain at the same limits, except for numbers next to a limit.
 TEST(CircleTwins, AreCertainOfTheSame) {
   Random random(162);
   int certain = 0, uncertain = 0, different = 0;

@@ -36,7 +36,7 @@ void expectSymmetric(const EdgeCorners& e, const Site& q, bool interior) {
   }
 }
 
-/// How many pieces of the edge q leaves.
+/// The number of pieces of the edge that q leaves.
 std::size_t piecesLeft(const EdgeCorners& e, const Site& q) {
   const bool atK = isVertexInConflict(e.i, e.j, e.k, q);
   const bool atL = isVertexInConflict(e.j, e.i, e.l, q);

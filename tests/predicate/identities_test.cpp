@@ -1,7 +1,7 @@
 // The identities of docs/PREDICATES.md, written out here from the document (not from
 // src/predicate/formulas.h) and evaluated on random integers; and formulas.h against them. A
 // polynomial identity of degree 18 that holds at thousands of random points of 2^20 values per
-// variable holds everywhere but for a negligible probability (Schwartz, Zippel).
+// variable holds everywhere, except with negligible probability (Schwartz, Zippel).
 #include <gtest/gtest.h>
 
 #include "predicate/formulas.h"

@@ -48,7 +48,7 @@ enum Kind {
   kOrdinary,
   kPoints,
   kFarFromTheOrigin,
-  kLargeDiscs,      // of which each sticks out of the others by little
+  kLargeDiscs,      // each sticks out of the others by little
   kNegative,        // weights
   kTouchingWithin,  // a disc and others within it that seem to touch it
   kGiant,           // and small ones at its rim
@@ -59,7 +59,7 @@ enum Kind {
 
 struct Family {
   Kind kind;
-  double size;  // of differences
+  double size;  // magnitude of differences
 
   Family(int run, Random& random) : kind(static_cast<Kind>(run % kKinds)), size(1) {
     if (kind == kGiant) size = 1e-3;
@@ -140,8 +140,8 @@ void expectSame(MaybeSign filtered, Sign exact, const char* what) {
   }
 }
 
-/// Calls `ask(family, random, asked)` for `times` families in turn, which adds to `asked` what it
-/// could ask; returns that.
+/// Calls `ask(family, random, asked)` for `times` families in turn. Each call adds the number of
+/// its questions to `asked`. Returns the total.
 template <class Ask>
 int askFamilies(std::uint64_t seed, int times, Ask&& ask) {
   Random random(seed);
@@ -346,8 +346,8 @@ TEST(NearZero, TurnBetweenShadows) {
   EXPECT_GT(all, runs(300));
 }
 
-/// Points in line, two of them neighbouring doubles: which of them is between is what the
-/// degenerate rule asks.
+/// Points in line, two of them neighbouring doubles: the degenerate rule asks which of them is
+/// between.
 TEST(NearZero, OppositeOnALine) {
   Random random(139);
   for (int run = 0; run < runs(2000); ++run) {

@@ -27,7 +27,7 @@ Dyadic magnitude(const Dyadic& x) { return x.sign() == Sign::kNegative ? -x : x;
 struct Triangle {
   std::array<Site, 3> sites;
 
-  /// Twice the turn, and what the centre's coordinates are as quotients by that: exactly.
+  /// Exact numbers: twice the turn, and the centre's coordinates times that.
   struct Exact {
     Dyadic x, y, twice;
   };
@@ -95,7 +95,7 @@ TEST(PreciseCircle, OfIntegersIsOfIntegersWhereItCanBe) {
     const bool areInLine = (b.x - a.x) * (c.y - a.y) == (b.y - a.y) * (c.x - a.x);
     if (areInLine || !hasVoronoiCircle(a, b, c)) continue;
     const VoronoiCircle circle = preciseVoronoiCircle(&a, &b, &c);
-    if (circle.s != s) continue;  // of the two that the three touch, the other one
+    if (circle.s != s) continue;  // the three touch two circles: this is the other one
     ++count;
     EXPECT_EQ(circle.x, x) << run;
     EXPECT_EQ(circle.y, y) << run;
@@ -307,7 +307,7 @@ TEST(PreciseCircle, OfNumbersFromEndToEndOfTheRange) {
   }
 }
 
-/// A coordinate smaller than any of those given, and than what one power of two can scale.
+/// A coordinate is smaller than any of those given, and than one power of two can scale.
 TEST(PreciseCircle, NextToAnAxisOfImmenseSitesIsOffItByNextToNothing) {
   Random random(176);
   for (int run = 0; run < 40; ++run) {

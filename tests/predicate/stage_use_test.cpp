@@ -16,7 +16,7 @@ namespace {
 
 using namespace test;
 
-/// How often each stage answered during a build.
+/// The number of answers of each stage during a build.
 stages::Counts countsOfBuild(const Circles& circles) {
   stages::counts() = {};
   Diagram diagram;

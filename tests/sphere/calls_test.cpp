@@ -1,5 +1,5 @@
-// The sphere's own calls refuse wrong arguments, and say what a hidden site or an empty diagram
-// has. diagram/calls_test.cpp has the calls of both surfaces.
+// The sphere's own calls refuse wrong arguments, and answer for hidden sites and empty diagrams.
+// diagram/calls_test.cpp has the calls of both surfaces.
 #include <gtest/gtest.h>
 
 #include <algorithm>

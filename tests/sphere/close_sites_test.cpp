@@ -16,7 +16,7 @@ constexpr double kDegree = std::numbers::pi / 180;
 /// A cluster about a point, of a size in radians, and other sites.
 struct Cluster {
   std::size_t close, others;
-  double heaviest;  // of all sites; those of the cluster differ by a part of its size
+  double heaviest;  // largest weight; in the cluster weights differ by a part of its size
   bool isLattice;
 };
 

@@ -310,7 +310,7 @@ TEST(SphericalDegenerate, ASiteThatNearlyHidesOthersIsInsertedLater) {
     for (const double at : {0.0, 180.0}) {
       SphericalSites sites = {{0, 0, 0.5}, {180, 0, 0.5}};
       SphericalDiagram diagram = diagramOf(sites);
-      // Three below the one at `at`, which may be the pole, but for the gap.
+      // Three sites that the one at `at`, which may be the pole, covers up to the gap.
       for (int k = 0; k < 3; ++k) {
         sites.push_back({at + 10 * (k - 1) + 5, 0, 0});
         SphericalCircle& site = sites.back();
@@ -432,8 +432,8 @@ TEST(SphericalDegenerate, TwoSitesWithTwoEdgesAreNeighboursOnce) {
 
 TEST(SphericalNearest, IsFoundBehindASiteThatAnotherNearlyHides) {
   // The cell of site 9 narrows between those of sites 2 and 3. There the cell of site 0, which site
-  // 9 hides but for rounding, bars it from side to side. Behind it is the cell of site 1: walks
-  // from site 9 stayed there, 10^-6 from the right distance.
+  // 9 hides up to rounding, bars it from side to side. Behind it is the cell of site 1: walks from
+  // site 9 stayed there, 10^-6 from the right distance.
   constexpr double kDegrees = 180 / std::numbers::pi;
   constexpr double kWeight = 0.2, kAt = 0.1, kNarrow = 0.7, kAngle = 0.03;  // radians
   const double lon = kNarrow - 0.3 * std::cos(kAngle), lat = 0.3 * std::sin(kAngle);
@@ -492,8 +492,8 @@ std::vector<std::uint8_t> madeUp(std::vector<std::uint8_t> bytes, std::size_t at
 }
 
 TEST(SphericalSnapshots, MadeUpCoversAreRefusedOrCover) {
-  // Nested sites and twins, of the pole, too. Of each pair of a hidden site and its cover each word
-  // becomes each id.
+  // Nested sites and twins, also of the pole. In each pair of a hidden site and its cover, each
+  // word is replaced by each id.
   SphericalSites sites;
   for (const double lon : {0.0, 90.0, 180.0, -90.0}) {
     for (const double r : {0.3, 0.3, 0.25, 0.25, 0.1}) sites.push_back({lon, 0, r});

@@ -23,8 +23,8 @@ SphericalPoint centreOf(const VertexArrays& circles, std::size_t k) {
   return {circles.coordinates[2 * k], circles.coordinates[2 * k + 1]};
 }
 
-/// No site reaches into them, and each touches its site; the largest come first, and none has its
-/// centre in one before it.
+/// Expects that no site reaches into the circles, and that each touches its site; that the largest
+/// come first, and none has its centre in one before it.
 void expectEmptyAndApart(const SphericalSites& sites, const VertexArrays& circles) {
   for (std::size_t k = 0; k < circles.clearance.size(); ++k) {
     const SphericalPoint p = centreOf(circles, k);

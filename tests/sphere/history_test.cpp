@@ -192,8 +192,8 @@ void expectSameHidden(const SphericalDiagram& diagram, const SphericalDiagram& o
 }
 
 TEST(SphericalHistories, SnapshotsKeepWhichOfIdenticalSitesIsVisible) {
-  // Duplicates, among them poles with different longitudes. What becomes visible later is the same,
-  // too.
+  // Duplicates, among them poles with different longitudes. Sites that become visible later are the
+  // same, too.
   Random random(11);
   for (int history = 0; history < 200; ++history) {
     SCOPED_TRACE(history);

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kPi = std::numbers::pi, kDegree = kPi / 180, kRounding = 1e-9;
 
-/// At an angle and a bearing, clockwise from north, from a point.
+/// The point at an angle from a point, at a bearing, clockwise from north.
 SphericalPoint pointAt(const SphericalPoint& from, double angle, double bearing) {
   const double lat = from.lat * kDegree;
   const double sine =
@@ -119,7 +119,7 @@ TEST(SphericalInnerCircle, OfSmallCellsIsAsGood) {
     const SphericalDiagram diagram = diagramOf(sites);
     SphericalCircle circle{};
     ASSERT_EQ(diagram.cellCircle(4, kEverywhere, circle), Error::kNone);
-    const double half = size / 2 * kDegree;  // of a square, nearly
+    const double half = size / 2 * kDegree;  // half the side: the cell is nearly a square
     EXPECT_LE(circle.r, half * 1.0001) << size;
     EXPECT_GE(circle.r, half * 0.9985) << size;
   }

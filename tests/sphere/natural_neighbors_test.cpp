@@ -11,7 +11,8 @@
 namespace apollonius::test {
 namespace {
 
-/// By how much cells become smaller where the site comes in; nothing if it has no cell.
+/// The area that an inserted site takes from each cell, as a share of its own; empty if it has
+/// none.
 std::vector<double> takenFrom(const SphericalSites& sites, const SphericalCircle& site) {
   SphericalSites more = sites;
   more.push_back(site);

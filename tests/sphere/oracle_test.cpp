@@ -11,7 +11,7 @@
 namespace apollonius::test {
 namespace {
 
-/// More than the rounding of directions, in radians.
+/// A bound of the rounding of directions, in radians.
 constexpr double kRounding = 1e-13;
 
 class SphericalOracle : public testing::Test {

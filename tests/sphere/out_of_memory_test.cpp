@@ -19,7 +19,7 @@ namespace {
 
 using Operation = std::function<Error(SphericalDiagram&)>;
 
-/// With what they need made beforehand, so that only the library allocates.
+/// Operations whose arguments are made beforehand, so that only the library allocates.
 std::vector<std::pair<std::string, Operation>> operations(const std::vector<std::uint8_t>& bytes) {
   Random random(21);
   const std::vector<double> more = flat(randomSites(random, 30, 0.2));
@@ -156,7 +156,7 @@ TEST(SphericalOutOfMemory, EveryFailureLeavesTheDiagramAsItWas) {
         ASSERT_EQ(circle.lon, sites[id].lon);
         ASSERT_EQ(circle.r, sites[id].r);
       }
-      ASSERT_EQ(saved(diagram).size(), bytes.size());  // the same number of ids
+      ASSERT_EQ(saved(diagram).size(), bytes.size());  // as many ids as before
       ASSERT_EQ(operation(diagram), Error::kNone);
       if (k > 60) k += k / 4;
     }
@@ -203,7 +203,7 @@ TEST(SphericalOutOfMemory, EndsABuilderAndTheDiagramStaysEmpty) {
         error = builder.advance(3, isDone);
         if (error != Error::kNone) again = builder.advance(3, isDone);
       }
-    } catch (const std::bad_alloc&) {  // of the constructor
+    } catch (const std::bad_alloc&) {  // from the constructor
       error = Error::kOutOfMemory;
     }
     heap.disarm();

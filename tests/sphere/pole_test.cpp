@@ -1,5 +1,5 @@
-// Which site all is projected from (src/sphere/pole_choice.h), when another one is chosen, and what
-// is kept beside the plane's diagram when that is built anew.
+// The site from which all are projected (src/sphere/pole_choice.h), when another one is chosen, and
+// the state that is kept beside the plane's diagram when that is rebuilt.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -74,7 +74,7 @@ TEST(SphericalPole, IsVisibleAmongWeightsOfAnySize) {
   }
 }
 
-/// A site that the pole covers but for 10^-9 radians would have a circle of which little is known.
+/// A site that the pole covers up to 10^-9 radians would have a circle that is hardly known.
 class ASiteThatThePoleNearlyCovers : public testing::Test {
  protected:
   ASiteThatThePoleNearlyCovers() : core_(coreOf(sites())), pole_(core_.projected().pole()) {}

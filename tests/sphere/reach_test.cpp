@@ -19,7 +19,7 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 constexpr double kDistances[] = {-0.05, 0, 1e-3, 0.1, 0.4, 1, 2, 3.1};
 
-/// Also sites so close that their edges come from afar, turn beside them, and go back.
+/// Named sets, and sites so close that their edges come from afar, turn beside them, and go back.
 std::vector<NamedSites> setsOf(Random& random, std::size_t n) {
   std::vector<NamedSites> sets = namedSets(random, n);
   SphericalSites pairs;
@@ -42,7 +42,7 @@ std::vector<NamedSites> setsOf(Random& random, std::size_t n) {
   return sets;
 }
 
-/// Some of each, some unlimited, some with nothing.
+/// Random distances; some sites are unlimited, some have nothing.
 std::vector<double> distancesById(Random& random, std::size_t n) {
   std::vector<double> distances;
   for (std::size_t k = 0; k < n; ++k)

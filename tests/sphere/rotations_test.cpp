@@ -19,10 +19,10 @@ constexpr double kPi = std::numbers::pi;
 /// A rotation as three images of the axes.
 class Rotation {
  public:
-  /// By Euler's angles in degrees: about z, about y, about z again.
+  /// The rotation by Euler's angles in degrees: about z, about y, about z again.
   Rotation(double first, double tilt, double second)
       : about_{{{second, 0, 1}, {tilt, 2, 0}, {first, 0, 1}}} {}
-  /// One that takes a point to another.
+  /// A rotation that takes a point to another.
   Rotation(const SphericalPoint& from, const SphericalPoint& to)
       : Rotation(-from.lon, from.lat - to.lat, to.lon) {}
 
@@ -62,7 +62,7 @@ class Rotation {
   std::array<Turn, 3> about_;
 };
 
-/// Whether hidden or not and which neighbours a site has may depend on the rounding.
+/// May rounding decide whether a site is hidden, and which neighbours it has?
 bool isDegenerate(const std::string& name) {
   constexpr std::array kNames = {"grid",          "octahedron",     "twins", "about the pole",
                                  "on a meridian", "on the equator", "towns"};

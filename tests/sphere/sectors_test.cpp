@@ -69,7 +69,7 @@ TEST(SphericalSectors, AreATurnWhereManySitesTouchOneCap) {
   }
 }
 
-/// The third site's cell is a dot on the edge of two others, which is all around them but for that.
+/// The third site's cell is a dot on the edge of two others, which goes all round except there.
 TEST(SphericalSectors, OfAnEdgeThatADotInterruptsGoesRound) {
   for (const double dot : {1e-4, 1e-6, 1e-8}) {
     const SphericalSites sites = {{-90, 0, 0}, {90, 0, 0}, {0, 20, -kPi / 2 + dot}};
@@ -96,8 +96,8 @@ TEST(SphericalSectors, OfDotsAsSmallAsRoundingAddUp) {
   }
 }
 
-/// Found by search. Of sectors that are as near as rounding tells, the one with the least turn goes
-/// round.
+/// Found by search. Among sectors that are equally near up to rounding, the one with the least turn
+/// goes round.
 TEST(SphericalSectors, OfACrossOfDotsAddUp) {
   const SphericalSites sites = {{2.2957411708756297, -17.994067706249389, 0},
                                 {62.222695953823603, 7.6341230832567932, 0},

@@ -35,7 +35,7 @@ inline SphericalSites randomSites(Random& random, std::size_t n, double heaviest
   return sites;
 }
 
-/// As people have them, and as they break programs.
+/// Sets of sites as people have them, and sets that break programs.
 inline std::vector<NamedSites> namedSets(Random& random, std::size_t n) {
   std::vector<NamedSites> sets = {
       {"points", randomSites(random, n, 0)},
@@ -96,13 +96,13 @@ inline long double angleOf(const LongVector& a, const LongVector& b) {
 inline double angleOf(const SphericalCircle& a, const SphericalCircle& b) {
   return static_cast<double>(angleOf(longDirection(a.lon, a.lat), longDirection(b.lon, b.lat)));
 }
-/// From a point to a site of the unit sphere.
+/// Distance from a point to a site of the unit sphere.
 inline double distanceOf(const SphericalPoint& p, const SphericalCircle& site) {
   return static_cast<double>(
       angleOf(longDirection(p.lon, p.lat), longDirection(site.lon, site.lat)) - site.r);
 }
 
-/// To the nearest site.
+/// Distance to the nearest site.
 inline double leastDistance(const SphericalSites& sites, const SphericalPoint& p) {
   double least = std::numeric_limits<double>::infinity();
   for (const SphericalCircle& site : sites) least = std::min(least, distanceOf(p, site));

@@ -16,7 +16,7 @@ namespace sphere = internal::sphere;
 
 using Caps = std::array<const sphere::Cap*, 3>;
 
-/// How far the three equations are from being met.
+/// The largest residual of the three equations of a vertex.
 double residual(const sphere::SphericalVertex& vertex, const Caps& caps) {
   double largest = 0;
   for (const sphere::Cap* cap : caps)

@@ -1,6 +1,5 @@
-// The packed package in Cloudflare's own runtime and in Vercel's, which compile no WebAssembly but
-// what is imported: bundled as wrangler and Next do, with the conditions of such packages; and in
-// Deno.
+// The packed package in Cloudflare's own runtime and in Vercel's, which compile only imported
+// WebAssembly: bundled as wrangler and Next do, with the conditions of such packages. And in Deno.
 import { spawn, spawnSync } from "node:child_process";
 import { once } from "node:events";
 import { cpSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";

@@ -15,8 +15,8 @@ const dist = path.join(project, "dist");
 const program = "tests/strangers/node_modules/@observablehq/framework/dist/bin/observable.js";
 
 /**
- * Framework asks a CDN for the versions of what a page might load from there, although this one
- * loads nothing: with a folder for each in its cache it has an answer.
+ * Framework asks a CDN for the versions of packages that a page might load from there, although
+ * this one loads nothing. A folder for each package in its cache gives the answer.
  */
 const kAskedFor =
   "@observablehq/inputs @observablehq/plot @observablehq/sample-datasets apache-arrow arquero d3 " +

@@ -1,5 +1,5 @@
 // Vitest, in its own environment and in jsdom: nothing has to be set up, and diagrams are compared
-// by what is in them.
+// by their content.
 import { symlinkSync, mkdirSync, rmSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { root } from "../../tools/toolchain/folders.mjs";

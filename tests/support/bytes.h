@@ -26,7 +26,7 @@ class Bytes {
   std::size_t at_ = 0;
 };
 
-/// How numbers are made of bytes.
+/// Ways to make numbers of bytes.
 enum class Numbers : std::uint8_t { kTinyGrid, kGrid, kNarrowDoubles, kRawDoubles };
 
 inline double number(Bytes& bytes, Numbers numbers) {

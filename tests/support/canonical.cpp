@@ -103,7 +103,7 @@ Canonical canonicalForm(const Diagram& diagram, std::string& broken) {
                     "ids() not ascending");
 
   std::map<SiteId, Circle> circleOf;
-  std::map<std::array<double, 3>, SiteId> firstOf;  // of identical circles
+  std::map<std::array<double, 3>, SiteId> firstOf;  // least id of identical circles
   Circles visibleCircles;
   for (const SiteId id : ids) {
     Circle circle{};

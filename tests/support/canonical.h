@@ -1,4 +1,4 @@
-// The canonical form of a diagram: what it says about its *circles*, free of ids, row orders and
+// The canonical form of a diagram: its facts about its *circles*, free of ids, row orders and
 // everything else that depends on the history. Two diagrams of the same circles must have the same
 // canonical form, and it must be the oracle's.
 #pragma once

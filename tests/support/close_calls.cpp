@@ -14,7 +14,7 @@ using namespace internal;
 
 namespace {
 
-/// The nearest number in the range that stands for what a construction made; 0 for NaN.
+/// The legal number nearest to the result of a construction; 0 for NaN.
 double legal(double value) {
   if (std::isnan(value)) return 0;
   const double magnitude = std::fabs(value);
@@ -72,7 +72,7 @@ class Maker {
     const double x = nudged(s.x), y = nudged(s.y);
     return {x, y, nudged(s.r)};
   }
-  /// From far less than 1 to far more, or about 1.
+  /// A factor from far less than 1 to far more, or about 1.
   double share() {
     const std::uint8_t how = next_();
     const double about = static_cast<double>(next_()) / 64;
@@ -143,7 +143,7 @@ class Maker {
                    origin_.r + unit_ * (layers * length - 5)});
   }
 
-  /// From inside or from outside.
+  /// A site that touches another one from inside or from outside.
   Site touching(const Site& s) {
     double length = 1;
     const Direction d = direction(length);
@@ -163,7 +163,8 @@ class Maker {
     return nudged({a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), a.r + t * (b.r - a.r)});
   }
 
-  /// The circle of three, which may not exist: then a site comes of it all the same.
+  /// The Voronoi circle of three former sites. It need not exist: a site is made of its numbers
+  /// anyway.
   VoronoiCircle circleOfFormer(Corner& reference) {
     const std::uint8_t which = next_();
     const std::size_t a = which % count_, b = (a + 1 + which / 8 % (count_ - 1)) % count_;

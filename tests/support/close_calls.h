@@ -1,4 +1,4 @@
-// Arguments for the predicates, most of them degenerate but for a few roundings: made of bytes, so
+// Arguments for the predicates, most of them degenerate up to a few roundings: made of bytes, so
 // that a fuzzer can look for them, or of random ones. Sites of grids and of raw bits; copies a few
 // doubles away; circles that touch another one from inside or outside, the Voronoi circle of three
 // others, or the tangent line of two; a shadow whose middle is the direction of a vertex; points on

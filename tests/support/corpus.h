@@ -22,7 +22,7 @@ struct NamedGenerator {
 /// GoogleTest shows a parameter by its name.
 inline void PrintTo(const NamedGenerator& generator, std::ostream* out) { *out << generator.name; }
 
-/// All of them, from harmless to degenerate to the ends of the number range.
+/// All generators, from harmless to degenerate to the ends of the number range.
 const std::vector<NamedGenerator>& corpus();
 
 }  // namespace apollonius::test

@@ -20,10 +20,10 @@ inline constexpr int kEffortDivisor = 3;
 inline constexpr int kEffortDivisor = 1;
 #endif
 
-/// How many runs to make of a test that makes `native` of them natively.
+/// The number of runs of a test that makes `native` of them natively.
 constexpr int runs(int native) { return native / kEffortDivisor + 1; }
 
-/// Whether tests run in their long forms, which take minutes: with APOLLONIUS_THOROUGH=1, as in
+/// Do tests run in their long forms, which take minutes? With APOLLONIUS_THOROUGH=1, as in
 /// `npm run check -- thorough`; best with a build without the shadow check.
 inline bool isThorough() { return std::getenv("APOLLONIUS_THOROUGH") != nullptr; }
 

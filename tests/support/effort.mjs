@@ -1,2 +1,2 @@
-/** Whether tests run in their long forms: effort.h, for those in JavaScript. */
+/** Do tests run in their long forms? As effort.h, for tests in JavaScript. */
 export const isThorough = process.env.APOLLONIUS_THOROUGH !== undefined;

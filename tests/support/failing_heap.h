@@ -40,7 +40,7 @@ Heap heap;
 
 }  // namespace
 
-// All forms but the aligned ones, which nobody here uses: sanitizers have their own array and
+// All forms except the aligned ones, which are not used here: sanitizers have their own array and
 // nothrow forms. Not inlined, or g++ takes malloc and free for a mismatch.
 [[gnu::noinline]] void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
   if (heap.refuses(size)) return nullptr;

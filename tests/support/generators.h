@@ -85,7 +85,7 @@ Circles concentric(Random& random, std::size_t n);
 /// around some of them. Integers, in random order.
 Circles nestedFamilies(Random& random, std::size_t n);
 
-/// How collinear lays out its centres.
+/// The line of centres of `collinear`.
 enum class Line { kHorizontal, kVertical, kDiagonal, kRandomSlope };
 
 /// Centres exactly on one line, equally spaced or not; radii 0..maxRadius (0: points).
@@ -115,7 +115,7 @@ Circles giantDiskExact(Random& random, std::size_t n);
 
 // --- Extremes of the number range
 
-/// Which magnitudes the coordinates and radii of rangeEnds have.
+/// The magnitudes of the coordinates and radii of rangeEnds.
 enum class Range { kHuge, kTiny, kMixed };
 
 /// kHuge: up to 1e100. kTiny: between 1e-100 and 1e-97, or 0. kMixed: any power of two in the

@@ -1,5 +1,5 @@
-// The generators make what they promise: shares of hidden circles, exact tangencies, values within
-// the legal range.
+// The generators keep their promises: shares of hidden circles, exact tangencies, values within the
+// legal range.
 #include "support/generators.h"
 
 #include <gtest/gtest.h>

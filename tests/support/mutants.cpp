@@ -227,7 +227,7 @@ Error callInRegion(const Diagram& diagram, SiteId id, const Circles& corners) {
   return first;
 }
 
-/// The next ones of a walk, and what is at a place and around it.
+/// Queries: the next sites of a walk, and the sites at a place and around it.
 Error callQueries(const Diagram& diagram, const Circle& a, const Circle& b, bool isSmallest) {
   SiteId id = kNoSite;
   std::vector<SiteId> some;

@@ -1,5 +1,5 @@
-// Wrong snapshots: with a right checksum and, here or there, something else than what was saved;
-// and everything that can be asked of the diagram that comes of one.
+// Wrong snapshots: they have a right checksum and, here or there, other values than were saved. And
+// all questions that can be asked of a diagram that is restored from one.
 #pragma once
 
 #include <cstdint>
@@ -11,9 +11,9 @@
 
 namespace apollonius::test {
 
-/// One to four changes of any part of a snapshot: numbers, words of ids, twins, half-edges of
-/// vertices, pairs of the forest; of a twin or an exchange of two words mostly, so that surfaces
-/// come of them. The checksum fits.
+/// Makes one to four changes in any part of a snapshot: numbers, words of ids, twins, half-edges of
+/// vertices, pairs of the forest. Most change a twin or exchange two words, so that surfaces come
+/// of them. The checksum fits.
 std::vector<std::uint8_t> mutant(const std::vector<std::uint8_t>& snapshot, Random& random);
 /// As above, with this many changes: the counts of the snapshot's header, which may be changed, say
 /// where its parts are, so that no mutant can be changed again.
@@ -25,9 +25,9 @@ std::vector<std::uint8_t> mutant(const std::vector<std::uint8_t>& snapshot, Rand
 /// is.
 std::string whatIsWrong(const Diagram& diagram, Random& random);
 
-/// Makes each call some times, reading and changing in turns, in an order that the seed gives;
-/// answers are not looked at. After the call that says kCorruptSnapshot all must. Returns whether
-/// one did.
+/// Makes each call some times, reading and changing in turns, in an order that the seed gives, and
+/// ignores the answers. After a call returns kCorruptSnapshot, all calls must. Returns whether one
+/// did.
 bool callEverything(Diagram& diagram, std::uint64_t seed);
 
 }  // namespace apollonius::test

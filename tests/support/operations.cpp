@@ -25,7 +25,7 @@ std::string hexFloat(double value) {
 }
 
 /// The history without operations [first, first + count): operations on circles that are no longer
-/// inserted go too, and names close up. What is left of a call stays one.
+/// inserted go too, and names close up. The remaining operations of a call stay one call.
 History without(const History& history, std::size_t first, std::size_t count) {
   std::vector<std::size_t> newName;
   std::size_t inserted = 0;

@@ -1,4 +1,4 @@
-// Histories of a diagram: what was inserted, removed and updated, in a form that can be generated,
+// Histories of a diagram: its insertions, removals and updates, in a form that can be generated,
 // replayed, shortened, printed, and kept as a text file (tests/data/regressions/*.sites):
 //
 //   # a comment: what broke
@@ -35,7 +35,7 @@ using History = std::vector<Operation>;
 
 History insertAll(const Circles& circles);
 
-/// Where the call that holds operation `first` ends: the first operation behind it.
+/// Index of the first operation behind the call that holds operation `first`.
 std::size_t endOfCall(const History& history, std::size_t first);
 
 /// `steps` operations over circles drawn from `pool` (with repetition): about half inserts, a

@@ -148,8 +148,8 @@ Verdict judgeCircle(const TouchingCircle& circle, const ExactSite& first, const 
 }
 
 /// Face (i, j, k) of finite sites. `q` may be null: only existence is asked, kFree or kNoCircle. A
-/// circle whose clearance is not less than the horizon is none; without a horizon, only what is a
-/// line is none.
+/// circle whose clearance is not less than the horizon does not count; without a horizon, only a
+/// line does not.
 Verdict judgeFinite(const ExactSite& i, const ExactSite& j, const ExactSite& k, const ExactSite* q,
                     const Integer* horizon) {
   TouchingCircle circle;
@@ -211,7 +211,7 @@ class Oracle {
         if (signOf(*value) != 0) bits = std::max(bits, static_cast<unsigned>(msb(abs(*value))) + 1);
       }
     }
-    // Generous: what is nonzero among numbers of b bits is a few times b bits away from zero, and
+    // Generous: nonzero results of numbers of b bits are a few times b bits away from zero, and
     // circles are at most a few times b bits large. A tiny weight must not be seen from the
     // horizon.
     const unsigned horizonBits = 60 + 12 * bits;

@@ -34,7 +34,7 @@ struct OracleDiagram {
   std::vector<std::array<int, 2>> unboundedEdges;
 };
 
-/// How the oracle makes degenerate input generic. kWhereNeeded: as said above, the default.
+/// Ways of the oracle to make degenerate input generic. kWhereNeeded: as said above, the default.
 /// kEverything: all weights are perturbed from the start, by other amounts; slower, for checking
 /// the oracle against itself.
 enum class Perturb { kWhereNeeded, kEverything };

@@ -11,8 +11,8 @@ namespace apollonius::test {
 
 using namespace internal;
 
-/// Questions to predicates so far, whichever stage answered. What filters settle within a walk,
-/// unasked, is not among them.
+/// Number of questions to predicates so far, whichever stage answered. Steps of a walk that filters
+/// settle without a question do not count.
 inline double questions() {
   using Count = unsigned long long;
   const auto counts =

@@ -15,7 +15,7 @@
 
 namespace apollonius::test {
 
-/// A diagram together with what it should contain.
+/// A diagram together with the circles that it should contain.
 class Replay {
  public:
   explicit Replay(Location location = Location::kHierarchy) : diagram_(location) {}
@@ -46,13 +46,13 @@ class Replay {
 /// The comparisons that checkHistory makes, and how often.
 struct Checks {
   Location location = Location::kHierarchy;
-  bool validateEveryStep =
-      true;  ///< but after a restoration, whose diagram the next operation is to meet as it is
-  bool compareEveryStep = false;  ///< the same; else only at the end
+  /// Except after a restoration, whose diagram the next operation is to meet as it is.
+  bool validateEveryStep = true;
+  bool compareEveryStep = false;  ///< with the same exception; else only at the end
   std::size_t oracleUpTo = 0;     ///< most distinct survivors for which the oracle is asked, too
 };
 
-/// Replays a history; empty, or what went wrong and at which operation.
+/// Replays a history; returns what went wrong and at which operation, or an empty text.
 std::string checkHistory(const History& history, const Checks& checks);
 
 /// Canonical form of a diagram built from scratch: one by one in the given order, or in bulk.

@@ -20,7 +20,7 @@ double legal(double value) {
                                 : std::copysign(kLargestMagnitude, value);
 }
 
-/// As it is, or one double up or down.
+/// The value itself, or the next double up or down.
 double aside(Random& random, double value) {
   const auto way = random.below(4u);
   return way > 1 ? value
@@ -52,7 +52,7 @@ CloseCall drawn(Random& random, const Circles& circles, bool areAside) {
       call.x = call.sites[4].x, call.y = call.sites[4].y;
       break;
     default: {
-      const VoronoiCircle circle = voronoiCircle(&a, &b, &c);  // of any numbers, if there is none
+      const VoronoiCircle circle = voronoiCircle(&a, &b, &c);  // any numbers, if there is none
       const bool isKnown = !std::isnan(circle.x) && !std::isnan(circle.y);
       call.x = isKnown ? legal(circle.x) : 0;
       call.y = isKnown ? legal(circle.y) : 0;

@@ -17,7 +17,7 @@ class ScaleRun {
  public:
   explicit ScaleRun(std::uint64_t seed);
 
-  /// Some hundred calls of each family.
+  /// Makes some hundred calls of each family.
   void round();
 
   [[nodiscard]] std::uint64_t calls() const { return sum(&StageChecks::calls); }

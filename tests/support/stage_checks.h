@@ -27,10 +27,10 @@ class StageChecks {
   /// All questions that can be asked of these arguments: some sixty.
   void ask(const CloseCall& call);
 
-  /// How often the exact stage was asked and compared, and how often it was contradicted.
+  /// The number of comparisons with the exact stage, and of those in which it answered zero.
   [[nodiscard]] std::uint64_t calls() const { return sum(&Tally::asked); }
   [[nodiscard]] std::uint64_t zeros() const { return sum(&Tally::zeros); }
-  /// How many only the exact stage could settle.
+  /// The number of calls that only the exact stage could settle.
   [[nodiscard]] std::uint64_t leftToExact() const { return sum(&Tally::left); }
   [[nodiscard]] std::uint64_t disagreements() const { return disagreements_; }
   /// The first few of them, with their arguments.

@@ -32,7 +32,7 @@ struct OnThePlane {
   using Circle = apollonius::Circle;
   using Builder = apollonius::Builder;
   using NearestFirst = apollonius::NearestFirst;
-  /// How far cells reach from one of 50 sites().
+  /// The reach of cells from one of 50 sites().
   static constexpr double kUnit = 2e5;
 
   /// Spread evenly; some are hidden.

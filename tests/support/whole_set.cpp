@@ -118,7 +118,7 @@ std::string WholeSet::check(Random& random) const {
   return findSamples(random);
 }
 
-/// Beside sites, where all kinds of cells are.
+/// Searches at points near sites, where all kinds of cells are.
 std::string WholeSet::findSamples(Random& random) const {
   for (int k = 0; k < 20 && !circles_.empty(); ++k) {
     const Circle &a = circles_[random.below(circles_.size())],
@@ -155,7 +155,7 @@ double extentOf(const Circles& circles) {
     extent = std::max({extent, std::abs(c.x - circles[0].x), std::abs(c.y - circles[0].y)});
   return extent > 0 ? extent : 1;
 }
-/// About the distance of neighbours.
+/// The approximate distance of neighbours.
 double spacingOf(const Circles& circles) {
   return extentOf(circles) / std::sqrt(static_cast<double>(circles.size() + 1));
 }

@@ -1,5 +1,5 @@
-// A diagram of which many sites change at once, and what it should contain: moves and batches of
-// whole sets, with everything checked after each.
+// A diagram many of whose sites change at once, and the circles that it should contain: moves and
+// batches of whole sets, with everything checked after each.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace apollonius::test {
 
-/// How circles get to where they are to be.
+/// Ways to move circles to their new places.
 enum class Way {
   kTogether,  ///< updateMany of all
   kOneByOne,  ///< update of each, in random order
@@ -29,12 +29,12 @@ class WholeSet {
   // Each returns what went wrong at once, or nothing.
   std::string moveTo(const Circles& next, Way way, Random& random);
   std::string insert(const Circles& more);
-  /// Those at the given positions.
+  /// Removes the circles at the given positions.
   std::string remove(const std::vector<std::size_t>& positions);
   std::string restore();
 
-  /// Validates everything, compares the graph with that of a fresh build, and finds around with all
-  /// distances. What is wrong, or nothing.
+  /// Validates everything; compares the graph with that of a fresh build, and found sites with all
+  /// distances. Returns the fault, or an empty text.
   std::string check(Random& random) const;
 
  private:

@@ -164,7 +164,7 @@ class RandomSurface {
   std::vector<Graph::PatchFace> randomPatch(const std::vector<HalfedgeId>& link) {
     struct Side {
       std::uint32_t from;
-      std::uint32_t across;  // what lies beyond, as PatchFace says
+      std::uint32_t across;  // the neighbour beyond, in the form of PatchFace
     };
     std::vector<Side> sides;
     for (std::uint32_t k = 0; k < link.size(); ++k)

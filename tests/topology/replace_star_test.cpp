@@ -139,7 +139,7 @@ TEST(ReplaceStar, ALinkEdgeWithTheStarOnBothSidesStaysSewnToItsPartner) {
 }
 
 TEST(ReplaceStar, TheWholeSphereByAnEmptyLink) {
-  // A single visible site is not in the graph; what it hid becomes a pair.
+  // A single visible site is not in the graph; the sites that it hid become a pair.
   Graph graph;
   graph.reserveVertices(2);
   const auto made = replaceStar(graph, 1, {},

@@ -18,7 +18,7 @@ std::size_t allocationsOf(Operation&& operation) {
 }
 
 TEST(Room, TheCounterCounts) {
-  // Called by name: clang++ leaves out a pair of new and delete that nobody looks at.
+  // Called by name: clang++ leaves out a pair of new and delete without an effect.
   EXPECT_EQ(allocationsOf([] { ::operator delete(::operator new(8)); }), 1u);
 }
 

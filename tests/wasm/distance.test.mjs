@@ -139,7 +139,7 @@ test("distances by id are an array, a Map or an object, read when a call asks", 
   const map = new Map([
     [0, 1],
     [1, 2],
-    [77, 5], // nobody asks for it
+    [77, 5], // not asked for
   ]);
   for (const maxDistance of [[1, 2], typed, map, { 0: 1, 1: 2 }]) {
     const view = diagram.voronoi(box, { maxDistance });
@@ -229,7 +229,7 @@ test("a function is asked for one site by calls about one cell, for all by other
   asked = [];
   expect(await view.interpolateAsync(values, points)).toEqual(view.interpolate(values, points));
   expect(asked).toEqual([...all, ...all]);
-  // Loops keep what they were told at the start.
+  // Loops keep the distances that they had at the start.
   asked = [];
   const rings = view.cellPolygons();
   rings.next();

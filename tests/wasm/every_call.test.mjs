@@ -24,7 +24,7 @@ const refused = (code, call) => {
 };
 
 /**
- * name → [arbitraries of the arguments, what is done with a diagram, its model and the arguments].
+ * name → [arbitraries of the arguments, function of a diagram, its model and the arguments].
  */
 const changing = {
   insert: [
@@ -156,7 +156,7 @@ const changing = {
 };
 
 /**
- * Calls that make diagrams, or end them: name → [arguments, what is done with all diagrams, the
+ * Calls that make diagrams, or dispose of them: name → [arguments, function of all diagrams and the
  * number of one].
  */
 const making = {

@@ -153,7 +153,7 @@ test("identical and nested circles: the first that passes, hidden or not", () =>
   const among = (...ids) => ({ filter: (id) => ids.includes(id) });
   expect(nested.find(1, 0, among(1, 3, 4))).toBe(1);
   expect(nested.nearest(1, 0, among(3, 4))).toEqual({ id: 3, distance: -2 });
-  expect(nested.pick(1, 0, among(0, 1, 2))).toBe(1); // of identical ones the first
+  expect(nested.pick(1, 0, among(0, 1, 2))).toBe(1); // the first of identical ones
   expect(nested.pick(1, 0, among(0, 2))).toBe(2);
   expect(nested.pick(1, 0, among(0, 1))).toBe(1);
   expect(nested.pick(1, 0, { ...among(0, 3), top: "last" })).toBe(3);
@@ -178,7 +178,7 @@ test("after changes, with gaps between ids", () => {
 
 // --- Work ----------------------------------------------------------------------------------------
 
-/** How often a filter is asked, and whether twice about one site. */
+/** A filter, and the ids about which it has been asked, repeats included. */
 function counting(filter) {
   const asked = [];
   const counted = (id) => {

@@ -120,7 +120,7 @@ test.each(["radius", "size", "weight"])("an item with a %s and no r is refused",
     item,
     { ...item, r: undefined },
     { x: 1, y: 2, [name]: undefined },
-    Object.create(item), // of a class that has it as a property
+    Object.create(item), // as if its class had the property
   ]) {
     expect(() => Diagram.from([[0, 0], one])).toThrow(refused);
     expect(() => Diagram.from([[0, 0], one], (d) => d.x ?? d[0])).toThrow(refused);

@@ -167,7 +167,7 @@ test("of strips, slivers and cells of all sizes, moved far from the origin", () 
 // Each took minutes, or all of the memory: boxes had to be as small as the domain is thin.
 describe("domains that are thin, at any angle", () => {
   const one = new Diagram([0, 0, 0]);
-  /** Half of the width, of a window that is thin along y = 0.37 x. */
+  /** A window that is thin along y = 0.37 x. */
   const strip = (width) => [
     [0, 0],
     [1, 0.37],
@@ -323,7 +323,7 @@ test("of all kinds of scenes, in a moment, and no place of any is better", () =>
   }
 });
 
-/** To the border of bounds, or of a ring. */
+/** Distance to the border of bounds, or of a ring. */
 function borderDistance(window, x, y) {
   const [xmin, ymin, xmax, ymax] = window;
   const ring = Array.isArray(xmin)

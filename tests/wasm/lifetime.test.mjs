@@ -125,7 +125,7 @@ describe.each(
     expect(validate(diagram)).toBeNull();
   });
 
-  // By an option or a callback: what comes of the call, and never a broken diagram.
+  // By an option or a callback. The call ends in a known way, and never breaks the diagram.
   test.each([
     ["render", (v) => v.render(null, option(v, "tolerance"))],
     ["renderBounds", (v) => v.renderBounds(null, option(v, "digits"))],

@@ -179,7 +179,7 @@ function areaDrawn(view, id, tolerance) {
   return area;
 }
 
-/** All that a view says, in the scene's own coordinates; with what has to agree within it. */
+/** All facts of a view, in the scene's own coordinates; some of them must agree with each other. */
 function factsOf(sites, { polygon, distance }, [x, y, scale], isFitted) {
   const there = ([a, b]) => [(a + x) * scale, (b + y) * scale];
   const xyr = sites.flatMap(([a, b, r]) => [...there([a, b]), r * scale]);

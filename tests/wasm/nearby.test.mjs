@@ -93,7 +93,7 @@ test("a filter may throw, ask the diagram, and make others, but not change this 
   circles.dispose();
 });
 
-// Not by a list: which calls change a diagram is found by what they do.
+// There is no list of the calls that change a diagram: the test finds them by their effect.
 test.each(calls)("in a filter, %s is busy if it would change the diagram", async (_, call) => {
   const make = () => new Diagram([0, 0, 5, 3, 0, 1, 20, 0, 5, 40, 9, 2]);
   const stateOf = (one) => {

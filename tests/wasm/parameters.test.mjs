@@ -1,5 +1,5 @@
 // Calls go through two functions that list their parameters by hand (embind_parts.js, `guard` in
-// module.ts), as a list of the rest would be made anew for each call. What is beyond is dropped.
+// module.ts), as rest parameters would need an array for each call. Further arguments are dropped.
 import { readFileSync } from "node:fs";
 import path from "node:path";
 import { root } from "../../tools/toolchain/folders.mjs";

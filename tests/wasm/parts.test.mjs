@@ -1,4 +1,4 @@
-// Which part of the module each call needs, and what the parts import of each other.
+// The part of the module that each call needs, and the parts' imports of each other.
 import { readFileSync } from "node:fs";
 import path from "node:path";
 import { expect, test } from "@jest/globals";

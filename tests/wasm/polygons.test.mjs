@@ -149,7 +149,7 @@ test.each(
           expect(segments.has(key)).toBe(false);
           segments.set(key, { id: feature.id, from: ring[k], to: ring[k + 1] });
         }
-    let length = 0; // of what has no cell beside it
+    let length = 0; // total of segments with no cell beside them
     for (const { id, from, to } of segments.values()) {
       const beside = segments.get(`${to} ${from}`);
       if (beside === undefined) length += Math.hypot(to[0] - from[0], to[1] - from[1]);

@@ -17,7 +17,7 @@ const kStar = [
   [-700, 700],
 ];
 
-/** By id, as a loop has them. */
+/** The cells by id, from a loop of single calls. */
 function oneByOne(view, options) {
   return Array.from(view.cellAreas(), (_, id) =>
     view.diagram.has(id) ? view.renderCell(id, null, options) || null : null,
@@ -55,7 +55,7 @@ test("null for what has no cell in the window", () => {
   expect(new Diagram([1, 2, 3]).voronoi().renderCells()).toEqual(["M0,0L960,0L960,500L0,500Z"]);
 });
 
-/** A context that writes what it is told. */
+/** A context that writes its calls down. */
 function recorder() {
   const pieces = [];
   const points =

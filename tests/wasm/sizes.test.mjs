@@ -12,7 +12,7 @@ test.each(Object.keys(uses))("%s", (use) => {
 });
 
 test("README.md has these sizes, to 2 KB (npm run sizes -- --write)", () => {
-  const { sizes: said } = readFigures(); // of which README.md quotes
+  const { sizes: said } = readFigures(); // README.md quotes some of them
   for (const [name, bytes] of Object.entries(sizes))
     expect(Math.abs(said[name] - bytes / 1000)).toBeLessThanOrEqual(2);
 });

@@ -207,7 +207,7 @@ function restoredOrNull(bytes, options) {
   }
 }
 
-/** Each call in turn; what they throw must be an ApolloniusError with one of the codes. */
+/** Makes each call in turn; an error must be an ApolloniusError with one of the codes. */
 function callAll(diagram, codes) {
   const attempt = (call) => {
     try {

@@ -26,7 +26,7 @@ const blocksOf = (file) =>
     ...readFileSync(path.join(root, file), "utf8").matchAll(/^```js(?: recipe)?\n([\s\S]*?)^```/gm),
   ].map(([, code], k) => [`${file}, block ${k + 1}`, code]);
 
-/** README.md's blocks, each with what it goes on from. */
+/** README.md's blocks, each with the block that it continues. */
 function readmeBlocks() {
   const blocks = blocksOf("README.md");
   const globe = blocks.find(([, code]) => code.includes("const globe ="))[1];
@@ -91,7 +91,7 @@ test("what pages and programs begin with", () => {
   expect(errorsOf("pages", snippets)).toEqual([]);
 });
 
-// They show what a call gives where there is something to give: its null is in its description.
+// Examples show results that exist; a call's description says when it returns null.
 test("examples of single calls, but for what may be null", () => {
   expect(examples.length).toBeGreaterThan(150);
   expect(errorsOf("examples", examples, { strictNullChecks: false })).toEqual([]);

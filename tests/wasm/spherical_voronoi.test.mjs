@@ -1,5 +1,5 @@
-// The view of the sphere's cells: what it says within a distance, one by one and all at once, and
-// that it answers as the plane's.
+// The view of the sphere's cells: its answers within a distance, one by one and all at once, and
+// that they are as the plane's.
 import { geoArea, geoDistance } from "d3-geo";
 import { Diagram } from "../../build/packed/consumer.mjs";
 import { SphericalDiagram } from "../../build/packed/sphere.mjs";

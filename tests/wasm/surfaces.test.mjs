@@ -19,7 +19,7 @@ const { checker, exportsOf } = all;
 
 const words = Object.keys(table.translated).filter((word) => word !== "Spherical");
 const word = new RegExp(`\\b(?:${words.join("|")})\\b`, "g");
-/** In the words of the plane. */
+/** A declaration of the sphere in the words of the plane. */
 const translated = (text) =>
   text
     .replace(word, (found) => table.translated[found])
@@ -193,7 +193,7 @@ test("a type that is not exported is found, in parameters, answers and bases' me
   expect(forgotten.map((way) => way.split(" > ").at(-1)).sort()).toEqual(names.sort());
 });
 
-// The default entry's class repeats the calls of core's, with its own diagram as what they give.
+// The default entry's class repeats the static calls of core's, and they give its own diagrams.
 test("the default entry's Diagram is made as core's is", () => {
   const [whole, core] = [exportsOf.index, exportsOf.core].map((names) => {
     const value = checker.getTypeOfSymbol(names.get("Diagram"));

@@ -1,4 +1,4 @@
-// The tarball itself: what is in it, how large it is, and what the linters of packages say.
+// The tarball itself: its files, its size, and the findings of linters of packages.
 import { spawnSync } from "node:child_process";
 import { readdirSync, readFileSync, statSync } from "node:fs";
 import path from "node:path";

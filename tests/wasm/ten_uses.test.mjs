@@ -1,5 +1,5 @@
 // The ten uses that the interface was made for: one strict program, compiled against the packed
-// package and run. What only pages have (a context, a worker's other side) is a stand-in.
+// package and run. Objects that only pages have (a context, a worker's other side) are stand-ins.
 import { mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import ts from "typescript";

@@ -208,7 +208,7 @@ test.each([1, 1e-6, 1e6])("tolerance of a drawing, in the shape's unit: size %d"
   for (const leaf of children) {
     const { places, curves } = placesAlong(leaf, { tolerance: 1e-90 }, 16);
     const finest = [...places, places[0]];
-    const chords = 1e-3 * scale; // of the finest drawing's places
+    const chords = 1e-3 * scale; // error of the chords between the finest drawing's places
     let before = curves;
     expect(before).toBeLessThan(64 * 2 * children.length);
     for (const tolerance of [0.01, 0.1, 1, 10, 1000].map((share) => share * scale)) {

@@ -1,4 +1,4 @@
-// Treemaps: animation, slices and aborting, what is refused, types.
+// Treemaps: animation, slices and aborting, refusals, types.
 import { execFileSync } from "node:child_process";
 import { mkdirSync, writeFileSync } from "node:fs";
 import path from "node:path";

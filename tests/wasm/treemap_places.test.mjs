@@ -3,7 +3,7 @@ import { treemap } from "../../build/packed/treemap.mjs";
 import { isThorough } from "../support/effort.mjs";
 import { expectRefusal } from "./support/refusal.mjs";
 
-/** Mulberry32: what was found with it is found again. */
+/** Mulberry32: a seed that found a fault finds it again. */
 const randomOf = (seed) => () => {
   seed = (seed + 0x6d2b79f5) >>> 0;
   let t = Math.imul(seed ^ (seed >>> 15), seed | 1);
@@ -80,7 +80,7 @@ function nestedRoot(groups, seed) {
   return { data: {}, value: children.reduce((sum, { value }) => sum + value, 0), children };
 }
 
-/** How far areas of leaves are off, as a share of what they are to be. */
+/** The largest error of the leaves' areas, as a share of the area that a leaf is to have. */
 function deviationOf(root) {
   const leaves = root.children.flatMap((child) => child.children ?? [child]);
   return leaves.reduce(

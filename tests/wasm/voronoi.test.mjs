@@ -321,7 +321,7 @@ test("hidden sites have nothing, unknown ones are errors, everywhere the same wa
   expect(Object.fromEntries(Object.entries(uses).map(([name, use]) => [name, use(2)]))).toEqual(
     hidden,
   );
-  // Numbers are what the lists say, also within a distance.
+  // Numbers agree with the lists, also within a distance.
   for (const maxDistance of [Infinity, 3, -60, () => -60]) {
     const cells = few.voronoi([0, 0, 200, 200], { maxDistance });
     const [areas, perimeters] = [cells.cellAreas(), cells.cellPerimeters()];

@@ -51,8 +51,8 @@ test.each([0, 5])("equal weights %p: the polygons of d3-delaunay", (r) => {
   }
 });
 
-// Where four cells meet, d3-delaunay counts the edge of length 0 neither (but for rounding, as of
-// 0.1).
+// Where four cells meet, d3-delaunay does not count the edge of length 0 either (except by
+// rounding, as of 0.1).
 test.each([1, 0.1, 7])("a lattice of unit %p has the neighbors of d3-delaunay", (unit) => {
   const points = Array.from({ length: 25 }, (_, k) => [unit * Math.floor(k / 5), unit * (k % 5)]);
   const bounds = [-0.5 * unit, -0.5 * unit, 4.5 * unit, 4.5 * unit];

@@ -60,7 +60,7 @@ describeInBrowser("data", (open) => {
       return Array.from(clearance, (r, k) => [coordinates[2 * k], coordinates[2 * k + 1], r]);
     });
     const inTheMiddle = corners.filter(([x, y]) => Math.hypot(x, y) < 1e-6);
-    expect(inTheMiddle).toHaveLength(14); // of sixteen sites
+    expect(inTheMiddle).toHaveLength(14); // two fewer than the sixteen sites
     await show(page, "nesting");
     expect((await stateOf(page)).hidden).toBe(3);
     for (const [key, touching] of [

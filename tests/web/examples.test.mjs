@@ -1,4 +1,4 @@
-// The examples of web/examples do what they say, in the browser.
+// The examples of web/examples keep their promises, in the browser.
 import { mkdirSync, readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { fileURLToPath } from "node:url";
@@ -283,7 +283,7 @@ describeInBrowser("examples", (open) => {
         length: path.length,
       };
     });
-    // nowhere closer to a disc than it says, but for the chords,
+    // nowhere closer to a disc than it says, except by the chords,
     expect(found.narrowest).toBeGreaterThan(-0.01);
     // and as close as that somewhere (between the points that were looked at)
     expect(found.narrowest).toBeLessThan(0.5);

@@ -1,5 +1,5 @@
-// Circles in files: what tables may look like, what is said about them, and that what is exported
-// has all that is shown and can be opened again.
+// Circles in files: the forms of tables, the messages about them, and that an exported file has all
+// that the page shows and can be opened again.
 import { readFileSync } from "node:fs";
 import { describe, expect, test } from "@jest/globals";
 import {
@@ -253,7 +253,7 @@ describeInBrowser("files", (open) => {
       const [south, north] = [Math.min, Math.max].map((of) => of(...ring.map(([, lat]) => lat)));
       expect(west < 28.95 && 28.95 < east && south < 41.01 && 41.01 < north).toBe(true);
       const area = features.reduce((sum, { properties }) => sum + (properties.area ?? 0), 0);
-      expect(area / (4 * Math.PI * 6371 ** 2)).toBeCloseTo(1, 3); // of all the Earth
+      expect(area / (4 * Math.PI * 6371 ** 2)).toBeCloseTo(1, 3); // the whole Earth
     });
 
     test("cities in GeoJSON and in an address are on the map again", async () => {

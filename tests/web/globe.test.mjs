@@ -1,4 +1,4 @@
-// The globe of web/examples: what it says of a place, against brute force; turning and zooming.
+// The globe of web/examples: its answers about a place, against brute force; turning and zooming.
 import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { expect, test } from "@jest/globals";
@@ -17,7 +17,7 @@ const kPlaces = [
 ];
 
 describeInBrowser("globe", (open) => {
-  /** Where a place is in the window, and what the globe is to say about it: by brute force. */
+  /** A place's position in the window, and the globe's expected answer about it, by brute force. */
   const onGlobe = (page, place) =>
     page.evaluate(([lon, lat]) => {
       const { cities, projection, above } = window.example;

@@ -1,6 +1,6 @@
-// Whether everybody can use the page: names, roles and contrasts by axe's rules, in both themes and
-// on a phone; targets of a finger's size; contrast of what is drawn; forced colours; no script but
-// the page's own.
+// Everybody can use the page: names, roles and contrasts by axe's rules, in both themes and on a
+// phone; targets of a finger's size; contrast of the drawing; forced colours; no script except the
+// page's own.
 import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { describe, expect, test } from "@jest/globals";
@@ -211,7 +211,7 @@ describeInBrowser("looks", (open) => {
   });
 
   test("works below another path, and without a network once it is loaded", async () => {
-    const server = await serve(0); // of which nothing is kept
+    const server = await serve(0); // a new origin: nothing of it is in a cache
     const page = await open({ site: server.url });
     await page.evaluate(() => app.whenFetched);
     await page.context().setOffline(true);

@@ -56,7 +56,7 @@ describeInBrowser("motion", (open) => {
     });
     expect(link.isWhole).toBe(true);
     expect(shift).toBeGreaterThan(0);
-    expect(shift).toBeLessThan(1 / 60); // of a pixel
+    expect(shift).toBeLessThan(1 / 60); // in pixels
     const after = await circlesOf(page);
     await page.reload();
     await page.waitForFunction(() => window.app);
@@ -113,7 +113,7 @@ function giveFramesByHand() {
   window.cancelAnimationFrame = (id) => asked.delete(id);
   const clock = { now: 1000 };
   window.byHand = {
-    /** Whether the page asks for a frame. */
+    /** Does the page ask for a frame? */
     get isAsked() {
       return asked.size > 0;
     },
@@ -327,7 +327,7 @@ describeInBrowser("touch", (open) => {
     await send("touchStart", [x, y]);
     await send("touchMove", [x + 20, y]);
     await send("touchMove", [x + 30, y]);
-    // to the left: at the right is the card of what was begun with
+    // to the left, as the card of the first site is at the right
     await send("touchStart", [x + 30, y], [x - 70, y]);
     await send("touchMove", [x + 50, y], [x - 90, y]);
     await send("touchMove", [x + 80, y], [x - 120, y]);

@@ -1,5 +1,5 @@
-// The page as a visitor uses it: every way to change the diagram does what it says. After each test
-// the diagram's own exact check must find nothing.
+// The page as a visitor uses it: every way to change the diagram works as described. After each
+// test the diagram's own exact check must find nothing.
 import { describe, expect, test } from "@jest/globals";
 import {
   circlesOf,

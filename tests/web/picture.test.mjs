@@ -49,7 +49,7 @@ describeInBrowser("the picture", (open) => {
       const ids = [...app.diagram.ids()];
       const wrong = [];
       let points = 0;
-      let seed = 7; // the same places each time: how many are far from a boundary is not luck
+      let seed = 7; // fixed, so that chance does not decide how many are far from a boundary
       const random = () => {
         seed = (seed * 48271) % 2147483647;
         return seed / 2147483647;

@@ -1,5 +1,5 @@
-// The static server: types, refusals, the next free port; what the page is made of when it is
-// served, and its security policy.
+// The static server: types, refusals, the next free port; the files of the page when it is served,
+// and its security policy.
 import { spawn } from "node:child_process";
 import { readdirSync, readFileSync } from "node:fs";
 import { createServer, request } from "node:http";

@@ -45,7 +45,7 @@ const kOthers = isThorough
 describeInBrowser("the site", (open, server) => {
   const visit = (path, options) => open({ path, ready: "figures", ...options });
 
-  /** No rule of axe is broken and nothing is too wide; in long runs, a picture to look at. */
+  /** Expects that no rule of axe is broken and nothing too wide; saves a picture in long runs. */
   async function expectFit(page, key, { viewport, colorScheme }) {
     await page.evaluate(() => scrollTo(0, 0));
     await page.evaluate(axe);

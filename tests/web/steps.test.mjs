@@ -1,5 +1,5 @@
-// Figures that are told in steps follow the paragraphs that are read; and what the pages on
-// insertion, deletion and exactness claim, their figures find.
+// Figures that are told in steps follow the reader's paragraph; and the figures of the pages on
+// insertion, deletion and exactness confirm the pages' claims.
 import { describe, expect, test } from "@jest/globals";
 import { closePage, describeInBrowser, frames } from "./support/browser.mjs";
 
@@ -34,7 +34,7 @@ describeInBrowser("steps", (open) => {
         await page.evaluate((k) => {
           const paragraph = document.querySelector(`[data-step="${k}"]`);
           paragraph.scrollIntoView({ block: "center", behavior: "instant" });
-          // On a phone what is read is below the figure.
+          // On a phone the paragraph that is read is below the figure.
           if (innerWidth < 1000) scrollBy({ top: -0.22 * innerHeight, behavior: "instant" });
         }, step);
         await page.waitForFunction(
@@ -58,7 +58,7 @@ describeInBrowser("steps", (open) => {
     await started(page, "insertion_steps");
     const choice = page.locator("#insertion_steps").getByLabel("Star");
     await choice.scrollIntoViewIfNeeded();
-    await frames(page, 3); // in which the figure follows what has been scrolled to
+    await frames(page, 3); // in which the figure follows the scrolling
     await choice.check();
     expect(await stepOf(page, "insertion_steps")).toEqual([4, 4]);
     await closePage(page);

@@ -1,4 +1,4 @@
-// The registry of tools: what it lists has its button, its key and its part of the help.
+// The registry of tools: each tool has its button, its key and its part of the help.
 import { expect, test } from "@jest/globals";
 import { describeInBrowser, forEachPage } from "./support/browser.mjs";
 

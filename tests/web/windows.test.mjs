@@ -30,7 +30,7 @@ describeInBrowser("the coast", (open) => {
     await closePage(page);
   });
 
-  /** How many lines there are in a box about a pixel. */
+  /** The number of lines in a box about a pixel. */
   const linesAt = (x, y) =>
     page.evaluate(
       ([x, y]) => {

@@ -28,7 +28,7 @@ const kDocuments = [
 const folderOf = (name) => `reference/${name}`;
 const byFile = new Map(kDocuments.map(([file, name]) => [file, folderOf(name)]));
 
-/** How documents that are in the npm package, too, name files of the repository. */
+/** Addresses of files of the repository in documents that are in the npm package, too. */
 const kOwn = /^https:\/\/github\.com\/[\w-]+\/apollonius-diagram\/blob\/main\//;
 
 /**

@@ -6,7 +6,7 @@ const kPolicy =
 
 const escaped = (text) => text.replace(/[&<>"]/g, (sign) => `&#${sign.charCodeAt(0)};`);
 
-/** From a page's folder to the site's. */
+/** The relative address of the site's folder from a page's. */
 const rootOf = ({ folder }) => (folder === "" ? "./" : "../".repeat(folder.split("/").length));
 const linkTo = (root, page) => `${root}${page.folder === "" ? "" : `${page.folder}/`}`;
 

@@ -45,7 +45,7 @@ export async function drawPosters() {
     posters.set(`playground-${name}`, pen.toSvg());
   }
   for (const [name, { default: figure }] of Object.entries(figures)) {
-    if (!figure) continue; // what figures share
+    if (!figure) continue; // a module that figures share
     for (const [kind, size] of Object.entries(figure.size)) {
       const pen = new SvgPen(`${name}-${kind}`, ...size);
       figure.draw(pen, figure.start(size, kind === "narrow"));

@@ -64,7 +64,7 @@ function split() {
   return { overview, pages };
 }
 
-/** The code, but that it prints what the comments behind its statements say that they give. */
+/** The code, changed to print each value that a comment behind a statement gives. */
 const printing = (code) =>
   rewritten(code, ({ text, value, isDeclared, said }) => {
     if (said.startsWith("throws "))
@@ -146,7 +146,7 @@ export function referencePages(addressFrom) {
     return kind === "site" ? `${up}../../${rest}` : addressFrom(`${up}../../`)(target);
   };
   const linked = (lines) => lines.join("\n").replaceAll("](#", "](api:");
-  /** A line with what the site has about a call. */
+  /** A line of links to the site's pages about a call. */
   const seeAlso = ({ title }) => {
     const links = (kSeeAlso[title.replace(/<.*>$/, "")] ?? []).map(
       ([address, text]) => `[${text}](site:${address})`,
@@ -187,7 +187,7 @@ export function referencePages(addressFrom) {
   });
   const index = pages
     .map((page) => {
-      // Links to what was on one page lead here, and on.
+      // Old links to calls, which were all on one page, lead here, and from here on.
       const old = callsByGroup(page)
         .flatMap(([, calls]) => calls)
         .map(

@@ -8,8 +8,8 @@ import { root } from "../toolchain/folders.mjs";
 const { repository } = JSON.parse(readFileSync(path.join(root, "package.json"), "utf8"));
 const address = repository.url.replace(/^git\+/, "").replace(/\.git$/, "");
 
-/** As https://…/apollonius-diagram, or null. */
+/** The repository's address, https://…/apollonius-diagram, or null. */
 const sourceAddress = address.includes("/OWNER/") ? null : address;
 
-/** Where a file can be read, by its path below the root, or null. */
+/** The address of a file, by its path below the root, or null. */
 export const sourceOf = (file) => (sourceAddress ? `${sourceAddress}/blob/main/${file}` : null);

@@ -32,7 +32,7 @@ export function buildWithCmake(name, settings, { target = "all", env } = {}) {
 
 /**
  * The module and the C++ tests as wasm are built in one folder, of the same objects. Warnings are
- * errors only in CI: whoever has a newer Emscripten shall be able to build.
+ * errors only in CI, so that the build also works with a newer Emscripten.
  */
 function buildWasm(emscripten, target, { debug = false, allTests = false } = {}) {
   const hasGoogleTest = existsSync("/usr/src/googletest/CMakeLists.txt"); // `npm test` installs it

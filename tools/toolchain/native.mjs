@@ -16,7 +16,7 @@ export function ensureCmake() {
   ensureMissing(needs.slice(1, 3), "building");
 }
 
-/** For tests/check.mjs and tests/coverage.mjs. */
+/** Installs a tool of tests/check.mjs or tests/coverage.mjs if it is missing; returns its name. */
 function ensureTool(program, packages, why) {
   if (!which(program)) ensureInstalled(packages, why);
   return program;

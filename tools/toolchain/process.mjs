@@ -1,4 +1,4 @@
-// Running other programs, and saying what is being done.
+// Runs other programs, and prints the current step.
 import { spawnSync } from "node:child_process";
 import { accessSync, constants } from "node:fs";
 import path from "node:path";
@@ -22,7 +22,7 @@ export function run(program, args, { cwd, env } = {}) {
     throw new SetUpError(`failed (${signal ?? `exit ${status}`}): ${program} ${args.join(" ")}`);
 }
 
-/** Runs a program and returns its output; shows what it printed only if it fails. */
+/** Runs a program and returns its output; shows the output only if it fails. */
 export function capture(program, args, { cwd, env } = {}) {
   const { status, error, stdout, stderr } = spawnSync(program, args, {
     cwd,
@@ -39,7 +39,7 @@ export function capture(program, args, { cwd, env } = {}) {
   return stdout;
 }
 
-/** Whether a program ends well; says nothing. */
+/** Does a program end well? Shows no output. */
 export function succeeds(program, args, options = {}) {
   return spawnSync(program, args, { ...options, stdio: "ignore" }).status === 0;
 }

@@ -11,7 +11,7 @@ import { ensureNpmPackages } from "./npm_packages.mjs";
 import { SetUpError } from "./process.mjs";
 import { ensureRedis } from "./redis.mjs";
 
-/** For building the package; returns Emscripten's folder. */
+/** Installs the tools that build the package; returns Emscripten's folder. */
 export function ensureBuildTools() {
   ensureNpmPackages();
   ensureCmake();

@@ -1,6 +1,6 @@
 // Splits the wasm module into its parts (Binaryen's wasm-split): core.wasm, and shapes.wasm and
-// sphere.wasm, which work in the memory and the table of core. Whoever does not call a part does
-// not load it.
+// sphere.wasm, which work in the memory and the table of core. A program that does not call a part
+// does not load it.
 //
 // The part of a function is that of the folder in which it is defined, as the object files tell.
 import { copyFileSync, existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
@@ -34,7 +34,7 @@ const features = [
   "mutable-globals",
 ].map((feature) => `--enable-${feature}`);
 
-/** Where a function is that both call. */
+/** The part of a function that both parts call. */
 const common = (a, b) => (a === b ? a : "core");
 
 /** The part of each function that the object files define; `core` if those of several do. */
@@ -77,9 +77,9 @@ function callsIn(whole, tool) {
 }
 
 /**
- * The part of each function of the module. What no folder of ours defines, as the C library, is in
- * the part that calls it. What is called from another part than its own is in `core`: an inline
- * function of which the linker has kept another copy.
+ * The part of each function of the module. A function that no folder of ours defines, as of the C
+ * library, is in the part that calls it. A function that another part than its own calls is in
+ * `core`: an inline function of which the linker has kept another copy.
  */
 function partsOfFunctions(emscripten, built, whole, tool) {
   const calls = callsIn(whole, tool);

@@ -27,7 +27,7 @@ export const readLines = (file) =>
 export const polygonsOf = ({ type, coordinates }) =>
   type === "Polygon" ? [coordinates] : coordinates;
 
-/** Whether the box of a geometry meets a rectangle. */
+/** Does the box of a geometry meet a rectangle? */
 export function meets(geometry, { minX, minY, maxX, maxY }) {
   const points = polygonsOf(geometry).flat(2);
   const [xs, ys] = [0, 1].map((axis) => points.map((point) => point[axis]));

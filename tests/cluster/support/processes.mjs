@@ -22,7 +22,7 @@ export function start(program, args, { env = {}, before = [] } = {}) {
   return { child, output: () => text, ended };
 }
 
-/** Runs a program to its end; throws what it said if it fails. */
+/** Runs a program to its end and returns its output; throws an error with that if it fails. */
 export async function finish(program, args, options) {
   const { output, ended } = start(program, args, options);
   const code = await ended;
@@ -48,13 +48,13 @@ export function childrenOf(pid) {
   return below;
 }
 
-/** Whether a process runs (one that nobody has waited for has ended, too). */
+/** Does a process run? (A zombie, whose parent has not waited for it, has ended.) */
 export function isAlive(pid) {
   const { stdout } = spawnSync("ps", ["-p", String(pid), "-o", "stat="], { encoding: "utf8" });
   return stdout.trim() !== "" && !stdout.startsWith("Z");
 }
 
-/** Whether a text has lines of a stack trace. */
+/** Does a text have lines of a stack trace? */
 export const isStack = (text) => /^\s+at .*[:)]/m.test(text);
 
 /** Waits until an action gives something true, which is returned. */

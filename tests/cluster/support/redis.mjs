@@ -10,7 +10,7 @@ import { until } from "./processes.mjs";
 
 const servers = new Set();
 
-/** A port that nobody listens on. */
+/** A free port. */
 function freePort(host) {
   return new Promise((resolve, reject) => {
     const server = createServer();

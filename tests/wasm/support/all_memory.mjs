@@ -29,7 +29,7 @@ expect(
 );
 expect(diagrams.length >= 10, `only ${diagrams.length} diagrams`);
 
-// Nothing more fits; what is there answers, and stays as it is when a change fails.
+// Nothing more fits; the diagrams answer, and stay as they are when a change fails.
 const last = diagrams[diagrams.length - 1];
 const size = last.size;
 const before = last.find(500, 500);

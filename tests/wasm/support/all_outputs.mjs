@@ -103,7 +103,7 @@ export async function hashOfAllOutputs(code) {
   return bytes.hash();
 }
 
-/** Whatever a call says, its error's code too. */
+/** The answer of a call, or its error's code. */
 function answered(call) {
   try {
     return call();

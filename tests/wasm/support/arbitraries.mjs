@@ -8,5 +8,5 @@ export const point = fc.tuple(coordinate, coordinate);
 /** A diagram or a site, as a fraction of those there are: shrinking keeps it meaningful. */
 export const fraction = fc.double({ min: 0, max: 1, maxExcluded: true, noNaN: true });
 export const fractions = (maxLength) => fc.array(fraction, { maxLength });
-/** One of the items. */
+/** The item at a fraction of the list. */
 export const pick = (items, at) => items[Math.floor(at * items.length)];

@@ -15,7 +15,7 @@ export const withHole = [
   hole,
 ];
 
-/** Both by name, with whether they hold a point that is in the box. */
+/** [name, window, does it hold a point that is in the box?]. */
 export const windows = [
   ["bounds", box, () => true],
   ["a region with a hole", withHole, (x, y) => !isInHole(x, y)],

@@ -8,7 +8,7 @@ const browsers = [
 ];
 
 /**
- * @param {string} what is skipped where there is no browser
+ * @param {string} what the name of the tests that are skipped where there is no browser
  * @param {(browser: string | null) => void} define the tests, given the path of the program;
  * in CI they are to fail without
  */

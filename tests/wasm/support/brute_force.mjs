@@ -1,14 +1,14 @@
-// A set of circles that answers what a diagram of them must, by trying all. Right for small
-// integers: there two distances are equal or clearly apart.
+// A set of circles that gives the answers which a diagram of them must give, by trying all circles.
+// It is right for small integers: there two distances are equal or clearly apart.
 const EQUAL = 1e-9;
 
-/** Whether circle `outer` holds circle `inner`. */
+/** Does the first circle hold the second one? */
 export function covers([bx, by, br], [ax, ay, ar]) {
   return br >= ar && (ax - bx) ** 2 + (ay - by) ** 2 <= (br - ar) ** 2;
 }
 
 export const distanceTo = ([x, y, r], px, py) => Math.hypot(px - x, py - y) - r;
-/** How far the far side of a circle is. */
+/** Distance to the far side of a circle. */
 export const farSide = ([x, y, r], px, py) => Math.hypot(px - x, py - y) + r;
 const areIdentical = (a, b) => a[0] === b[0] && a[1] === b[1] && a[2] === b[2];
 
@@ -34,7 +34,7 @@ export class BruteForce {
     return new BruteForce(new Map(this.circles));
   }
 
-  /** The sites that have a cell, but for which of several identical ones it is. */
+  /** The circles that have a cell; identical ones occur once. */
   get visibleCircles() {
     const different = [
       ...new Map([...this.circles.values()].map((circle) => [String(circle), circle])).values(),
@@ -44,7 +44,7 @@ export class BruteForce {
     );
   }
 
-  /** Whether the site can be visible: no other circle covers it, but for identical ones. */
+  /** Can the site be visible? Then no circle covers it, except identical ones. */
   isCandidate(id) {
     const circle = this.circles.get(id);
     return ![...this.circles.values()].some(
@@ -69,7 +69,7 @@ export class BruteForce {
     return [...this.circles.values()].sort((a, b) => compareAt(a, b, x, y));
   }
 
-  /** Those at a distance of at most so much, nearest first. */
+  /** The circles up to this distance, nearest first. */
   within(x, y, distance) {
     return this.sortedAt(x, y).filter((circle) => distanceTo(circle, x, y) <= distance + EQUAL);
   }
@@ -99,7 +99,7 @@ export class BruteForce {
       .sort((a, b) => a - b);
   }
 
-  /** How far the circles reach in a direction. */
+  /** The support function: the largest coordinate of the circles in a direction. */
   reach(ux, uy) {
     return Math.max(...[...this.circles.values()].map(([x, y, r]) => x * ux + y * uy + r));
   }

@@ -3,7 +3,7 @@
 //   node bundle.mjs vite|webpack|rollup|esbuild
 //
 // into build/packed/bundles/NAME/: main.js (default entry), core.js (that of queries), sphere.js,
-// treemap.js, error.js (which needs only ApolloniusError) and, but for rollup, streamed.js (the
+// treemap.js, error.js (which needs only ApolloniusError) and, except for rollup, streamed.js (the
 // entry with a .wasm of its own). Prints the warnings as a JSON array.
 import { mkdirSync, rmSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";

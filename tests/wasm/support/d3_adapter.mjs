@@ -1,5 +1,5 @@
-// d3-delaunay's names over a Diagram: what a chart would write to try this package without changing
-// anything else. What it cannot give the same is in d3_report.mjs, with the reason.
+// d3-delaunay's names over a Diagram, as a chart would write them to try this package without
+// changing anything else. d3_report.mjs lists the differences, with reasons.
 import { Diagram } from "../../../build/packed/consumer.mjs";
 
 /** Points are sites of radius 0; ids are rows. */

@@ -52,7 +52,7 @@ const calls = (draw) => {
   return made;
 };
 
-/** [what is asked, (Delaunay) => what it gives, why the two differ] */
+/** [name of the expectation, (Delaunay) => result, why the two differ] */
 export const report = [
   ["from pairs", (D) => [...D.from(triangle).points]],
   ["from an iterable", (D) => [...D.from(new Set(triangle)).points]],

@@ -68,9 +68,10 @@ export function nameOf({ name }) {
 }
 
 /**
- * The package's own types that what is exported takes or gives, and that is not exported itself,
- * each with a way to it: "sphere > SphericalDiagram > UpdateOptions". Classes that are only
- * extended (or by an exported one of their name) need not be, but what their members take and give.
+ * The package's own types that exported functions and classes take or give, and that are not
+ * exported themselves, each with a way to it: "sphere > SphericalDiagram > UpdateOptions". A class
+ * that is only extended (also by an exported one of its name) need not be exported, but the types
+ * that its members take and give must be.
  */
 export function forgottenExports({ checker, isOwn }, exported, entry) {
   const all = new Set(exported);

@@ -1,6 +1,6 @@
-// A program: calls that begin closer and closer to the end of JavaScript's stack, until one
-// succeeds. Prints how they ended, and what was wrong afterwards, with that diagram unless it said
-// that it is broken, and with another one.
+// A program that makes calls at different distances from the end of JavaScript's stack, until one
+// succeeds. Prints how they ended, and the faults afterwards, of the diagram unless it said that it
+// is broken, and of another one.
 import { ApolloniusError, Diagram } from "../../../build/packed/consumer.mjs";
 import { validate } from "../../../build/packed/diagnostics.mjs";
 import { graph } from "./graph.mjs";

@@ -1,7 +1,7 @@
 // A diagram's whole state in words that do not depend on its history: sites by value instead of by
 // id, rows sorted.
 
-/** Everything that a failed call must not change, ids included. */
+/** The state that a failed call must not change, ids included. */
 export function snapshot(diagram) {
   const ids = [...diagram.ids()];
   return JSON.stringify({

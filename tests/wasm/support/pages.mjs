@@ -1,5 +1,5 @@
 // Pages in a real browser without a driver: the browser is started with the address of a page that
-// holds each case in a frame, and each case reports what it found to the server it came from. All
+// holds each case in a frame, and each case reports its result to the server it came from. All run
 // under the strictest policy that lets WebAssembly run.
 import { spawn } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";

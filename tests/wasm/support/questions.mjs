@@ -1,4 +1,4 @@
-// Every public question that a diagram answers, and what a brute-force model says to it.
+// Every public question that a diagram answers, and the answer of a brute-force model.
 import fc from "fast-check";
 import { levels, validate } from "../../../build/packed/diagnostics.mjs";
 import { fraction, pick, point } from "./arbitraries.mjs";
@@ -11,7 +11,7 @@ const circleOf = (diagram, id) => {
 };
 
 /**
- * name → [arbitraries of the arguments, what is asked of a diagram, its model and the arguments].
+ * name → [arbitraries of the arguments, question to a diagram, its model and the arguments].
  */
 export const asking = {
   size: [[], (d, m) => expect(d.size).toBe(m.size)],
@@ -323,7 +323,7 @@ export const asking = {
   validate: [[], (d) => expect(validate(d)).toBeNull()],
 };
 
-/** One list a point, with the circles that a single call gives; distances are those of circles. */
+/** Expects one list a point, with the circles of a single call and their distances. */
 function listsAlike(m, points, { ids, starts, distances }, one) {
   expect(starts.length).toBe(points.length + 1);
   expect(starts.at(-1)).toBe(ids.length);

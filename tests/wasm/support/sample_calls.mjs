@@ -60,7 +60,7 @@ const { index, sphere: ofSphere, treemap: ofTreemap } = exportsOf;
 const instance = (names, name) => checker.getDeclaredTypeOfSymbol(names.get(name));
 const statics = (names, name) => checker.getTypeOfSymbol(names.get(name));
 
-/** Whatever has calls: its name, its type, and how to make one. */
+/** The objects that have calls: name, type, and a function that makes one. */
 const subjects = [
   ["Diagram", statics(index, "Diagram"), () => plane.Diagram, () => diagram().toBytes()],
   ["diagram", instance(index, "Diagram"), diagram],

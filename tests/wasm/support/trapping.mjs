@@ -1,7 +1,7 @@
-// A program: what is left after calls that end in their middle. The module's own functions are
-// wrapped before its first use, so that a chosen one really traps in WebAssembly, with the module's
-// stack used up to somewhere. Prints what it found as JSON. A process of its own, as it replaces
-// WebAssembly.Instance.
+// A program that examines what calls leave behind when they end in their middle. The module's own
+// functions are wrapped before its first use, so that a chosen one really traps in WebAssembly,
+// with the module's stack in use. Prints its findings as JSON. It is a process of its own, as it
+// replaces WebAssembly.Instance.
 import { Diagram } from "../../../build/packed/consumer.mjs";
 import { validate } from "../../../build/packed/diagnostics.mjs";
 import { isThorough } from "../../support/effort.mjs";
@@ -318,7 +318,7 @@ const pentagon = [
 ];
 const ofOldInstance = codeOf(() => bystander.voronoi(pentagon).naturalWeights(700, 700));
 
-// Many traps, large diagrams: what is leaked does not add up.
+// Many traps, large diagrams: leaks do not add up.
 const failures = new Set();
 const rounds = isThorough ? 150 : 30;
 for (let k = 0; k < rounds; ++k) {

@@ -1,4 +1,4 @@
-// Trees for treemaps, and what a treemap promises of them.
+// Trees for treemaps, and checks of what a treemap promises.
 import { readFileSync } from "node:fs";
 import { hierarchy } from "d3-hierarchy";
 import { generator } from "./random.mjs";

@@ -155,7 +155,7 @@ const sides: string = view.renderBounds(null, { digits: 2 });
 export { nearest, ids, code, wrong, early, flat, notFlat, either, firstCell, outcome, later };
 export { path, point, sides, geometry, mesh, area, limited, broken, depths, stages };
 `;
-// The entries among each other: their types are the same, or say what is not there.
+// The entries among each other: their types are equal, or name the calls that are missing.
 const together = `
 import { Diagram, type DiagramClass, type Voronoi } from "apollonius-diagram";
 import { Diagram as Core } from "apollonius-diagram/core";
@@ -233,7 +233,7 @@ const strict = {
 const newest = { target: "ES2022", lib: ["ES2023", "ESNext.Disposable", "DOM"] };
 const oldest = { target: "ES2020", lib: ["ES2020", "DOM"] };
 
-/** By the way of resolution, what chooses it, and how files end for it. */
+/** For each way of resolution: the options that choose it, and the ending of its files. */
 const resolutions = {
   node10: [{ module: "CommonJS", moduleResolution: "Node10" }, ["cts"]],
   node16: [{ module: "Node16" }, ["mts", "cts"]],
@@ -243,8 +243,7 @@ const resolutions = {
 
 /**
  * Compiles users of the package, as ES modules and CommonJS: with the newest library and all ways
- * of resolution, and with ES2020's library. Throws what the compiler says if it finds
- * an error.
+ * of resolution, and with ES2020's library. Throws the compiler's output if it finds an error.
  * @param {string} tsc the program
  * @param {string[]} without ways of resolution that it does not know
  */

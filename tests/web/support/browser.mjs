@@ -20,7 +20,7 @@ const kArguments = [
   "--disable-component-update",
   "--disable-sync",
   "--site-per-process", // as the browser with windows has it
-  "--process-per-site", // with what it has loaded already
+  "--process-per-site", // a process keeps what it has loaded
 ];
 
 /**
@@ -67,7 +67,7 @@ const startWithWebGL = (executablePath) => {
   const args = [...kArguments.filter((one) => one !== "--disable-gpu"), ...kWebGL];
   return chromium.launch({ executablePath, args });
 };
-/** Its preferences are settled when it starts. */
+/** Firefox with this colour scheme: its preferences are fixed when it starts. */
 const firefoxWith = (colorScheme) => {
   const start = (executablePath) =>
     puppeteer.launch({
@@ -102,22 +102,22 @@ export const describeWithWebGL = (name, define) =>
 export const describeInFirefox = (name, define, { colorScheme = "light" } = {}) =>
   describeWith("Firefox", findFirefox(), name, firefoxWith(colorScheme), define);
 
-/** How often a page is asked, in milliseconds. */
+/** Time between two questions to a page, in milliseconds. */
 const kPolling = 20;
 
-/** How long a page gets for a frame, in milliseconds, before a picture of it makes one. */
+/** Time that a page gets for a frame, in milliseconds, before a picture of it makes one. */
 const kFrameDue = 10_000;
 
 /**
  * Playwright's `waitForFunction`, with two differences. It asks by the clock: by default Playwright
  * asks with each frame, and a page that a busy machine has not shown yet gets none. From time to
- * time it takes a picture, which makes a frame, for what waits for one in the page itself. If it
- * fails, it says what the page was doing.
+ * time it takes a picture, which makes a frame, for code in the page that waits for one. If it
+ * fails, the error tells what the page was doing.
  */
 function waitByClock(page) {
   const wait = page.waitForFunction.bind(page);
   return async (isDone, argument, options) => {
-    const makeFrame = () => page.screenshot().catch(() => {}); // of a page that is left: none
+    const makeFrame = () => page.screenshot().catch(() => {}); // fails on a page that is left
     const frames = setInterval(makeFrame, kFrameDue);
     try {
       return await wait(isDone, argument, { polling: kPolling, ...options });
@@ -133,7 +133,7 @@ function waitByClock(page) {
 
 const whenReady = (name) => window[name] !== undefined;
 
-/** @param {string | (() => boolean)} ready a global's name, or what is asked in the page */
+/** @param {string | (() => boolean)} ready a global's name, or a function to call in the page */
 const becomeReady = (page, ready) =>
   typeof ready === "function"
     ? page.waitForFunction(ready)
@@ -175,14 +175,14 @@ async function newContext(browser, options) {
   return context;
 }
 
-/** By browser, the context of all pages that need none of their own. */
+/** For each browser, the context of all pages that need none of their own. */
 const sharedContexts = new WeakMap();
 
 async function sharedContext(browser, url) {
   if (!sharedContexts.has(browser)) {
     const context = await newContext(browser);
     sharedContexts.set(browser, context);
-    const keeper = await context.newPage(); // of the process, from page to page
+    const keeper = await context.newPage(); // keeps the process from page to page
     await keeper.goto(`${url}icon.svg`);
   }
   return sharedContexts.get(browser);
@@ -269,13 +269,13 @@ export function closePage(page) {
 /** Resolves when the page says that its canvases and panels show what was asked for. */
 export const settled = (page) => page.evaluate(() => app.whenShown());
 
-/** Lets the page have some frames, in which something would happen that is not to. */
+/** Waits for some frames of the page, in which something wrong would happen. */
 export const frames = (page, count) =>
   page.evaluate(async (count) => {
     for (let k = 0; k < count; k++) await new Promise(requestAnimationFrame);
   }, count);
 
-/** Another set is shown. */
+/** Shows another set. */
 export async function show(page, key, params = {}) {
   await page.evaluate(([key, params]) => app.navigation.load(key, params), [key, params]);
   await settled(page);
@@ -331,7 +331,7 @@ export const sitesInReach = (page, count = 1) =>
     return found;
   }, count);
 
-/** Sizes, and what the exact check says: null if the diagram is sound. */
+/** Sizes, and the answer of the exact check: null if the diagram is sound. */
 export const stateOf = (page) =>
   page.evaluate(() => ({
     size: app.diagram.size,
@@ -347,7 +347,7 @@ export const circlesOf = (page) =>
     Array.from(app.diagram.ids(), (id) => [id, ...Object.values(app.diagram.site(id))]),
   );
 
-/** How many pixels of a canvas are not transparent. */
+/** The number of pixels of a canvas that are not transparent. */
 export const painted = (page, name) =>
   page.evaluate((name) => {
     app.painter.flush();

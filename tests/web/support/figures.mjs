@@ -1,10 +1,10 @@
-// How readers use the figures of the site, whatever drives the browser: pages are Playwright's
-// (Chromium) or Puppeteer's (Firefox), and of what is used here only the finger differs. Each
-// question to Firefox can take 40 ms, so there are few of them.
+// The ways in which readers use the figures of the site, with either driver: pages are Playwright's
+// (Chromium) or Puppeteer's (Firefox), which differ here only in touches. Each question to Firefox
+// can take 40 ms, so there are few of them.
 import { kHangs } from "./browser.mjs";
 import { press } from "./keys.mjs";
 
-/** A finger that comes down at the first point, goes to the others, and leaves. */
+/** Puts a finger down at the first point, moves it to the others, and lifts it. */
 export async function touchInChromium(page, [from, ...others]) {
   const devtools = await page.context().newCDPSession(page);
   const send = (type, ...touchPoints) =>
@@ -30,7 +30,7 @@ const times = (page, count, keys) =>
 
 const click = (page, { x, y }) => page.mouse.click(x, y);
 
-/** The ways to use a figure by mouse and keyboard: on which part of it, and what is done. */
+/** The ways to use a figure by mouse and keyboard: the part of the figure, and the action. */
 const kUses = [
   {
     name: "drag",
@@ -91,8 +91,8 @@ export const reach = (page, name, parts = []) =>
   );
 
 /**
- * Starts a figure anew and waits until it rests; keeps what a reader gets of it, text and pixels.
- * Resolves to where the part of a use is.
+ * Restarts a figure and waits until it rests; keeps its text and pixels, for comparison. Resolves
+ * to the position of the part that is used.
  */
 const prepare = (page, name, { part, isFocused = false }) =>
   page.$eval(

@@ -34,7 +34,7 @@ class Sender {
 
   /** @param {() => Promise<void>} send */
   now(send) {
-    this.#isFrameTaken = false; // what comes before it is shown at once
+    this.#isFrameTaken = false; // movements before it are shown at once
     this.#sent.push(send());
   }
 
@@ -53,7 +53,7 @@ class Sender {
 
 /** @param {{ seed: number, events: number }} options */
 export async function storm(page, { seed, events }) {
-  // Not before whoever serves the page has built it.
+  // Not imported earlier, as the server of the page builds it.
   const { generator } = await import("../../../build/web/shared/random_sets.js");
   const random = generator(seed);
   const below = (n) => Math.floor(n * random());
