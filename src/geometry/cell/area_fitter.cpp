@@ -19,7 +19,7 @@ constexpr double kFirstGround = 1e-4;
 constexpr double kNextGround = 0.1;
 constexpr double kNearEnough = 0.3;
 constexpr double kLeastGround = 1e-3;
-/// What is around a region is ignored if it is less than this share of the region.
+/// The surroundings of a region are ignored if they are less than this share of it.
 constexpr double kLeastOutside = 1e-3;
 /// Largest share of the way to where one site covers another that a step takes.
 constexpr double kShareOfWay = 0.9;

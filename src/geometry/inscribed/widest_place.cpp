@@ -12,21 +12,21 @@ namespace apollonius::internal {
 
 namespace {
 
-constexpr double kGap = powerOfTwo(-11);  // a place that is better by this share is not looked for
+constexpr double kGap = powerOfTwo(-11);    // places better by less than this share are not sought
 constexpr double kShare = powerOfTwo(-13);  // heights of pieces, of the r of a place
-/// Cells at random take some twenty looks, thin rings some hundred for each of their sides.
+/// Random cells take some twenty steps, thin rings some hundred for each of their sides.
 constexpr std::size_t kMostLooks = 1 << 16, kLooksOfCurve = 1 << 7;
 constexpr std::size_t kManyPieces = 64;  // in a box, from which on no strips are looked for
 constexpr double kParallel = 0.9;        // the cosine from which on two pieces are side by side
-/// Near a box no more pieces are halved than make so many.
+/// Pieces near a box are halved until there are this many.
 constexpr std::size_t kManyNear = 64;
-/// Fewer are halved as they come, not the highest first.
+/// Up to this many, pieces are halved in their order, not the highest first.
 constexpr std::size_t kFewNear = 16;
 constexpr double kFine = 16;
 constexpr int kMostMoves = 4;                    // to a place between three obstacles
 constexpr double kLeastInner = powerOfTwo(-10);  // below which three of them are not around it
 constexpr int kMostRounds = 16;
-constexpr int kMostSteps = 32;  // of a linear program: nearly all take two to six
+constexpr int kMostSteps = 32;  // in a linear program: nearly all take two to six
 
 /// A vector of the linear program: of x, y and r.
 struct Vector {
@@ -54,7 +54,7 @@ double mostOf(Point slope, Point half) {
 }  // namespace
 
 bool WidestPlace::isEnough(double most) const {
-  // A bound and a place are off by the heights of pieces that are not halved, too.
+  // Bounds and places also have the error of the heights of pieces that are not halved.
   return !(most - best_.r > kGap * absolute(best_.r) + 2 * grain_);
 }
 
