@@ -90,7 +90,7 @@ class WidestPlace {
     std::uint32_t bounds[3];
     double weights[3];
     double most;  // its largest value in the box
-    Point at;     // relative to the centre: a point where the bounds are about equal
+    Point at;     // relative to the centre: where the least of the bounds is about largest
   };
   static constexpr std::uint32_t kCircle = 0xFFFFFFFFu;  // the cell's own
 
