@@ -71,7 +71,8 @@ class AreaFitter {
   [[nodiscard]] double error() const { return deviationOf(best_.inside); }
 
  private:
-  /// Weights, and what they lead to: in the region, and around it if there is a regularization.
+  /// Weights with the areas and couplings that they give: in the region, and around it if there is
+  /// a regularization.
   struct State {
     FlatArray<double> weights, inside, around;
     FlatArray<double> areas;  // inside, with their share of the regularization

@@ -16,7 +16,7 @@ namespace apollonius::internal {
 struct BoundaryPiece {
   Conic curve;
   SiteId neighbor = kNoSite;  ///< the site on the right; kNoSite along the window's border
-  /// In a region: the segments of its polygon that it starts and ends on.
+  /// In a region: the segments of its polygon that the piece starts and ends on.
   std::uint32_t fromSegment = kNoSegment, toSegment = kNoSegment;
   /// Is nothing on the right, because the site's reach ends there, or the neighbor's
   /// (reach_cell.h)?
@@ -49,8 +49,8 @@ struct Cell {
   }
 };
 
-/// Computes the area inside a counter-clockwise boundary. Roundings: those of the computation
-/// alone. `origin` should be near the boundary.
+/// Computes the area inside a counter-clockwise boundary. Its `rounding` bounds the errors of this
+/// computation only. `origin` should be near the boundary.
 [[nodiscard]] Area areaOf(std::span<const BoundaryPiece> boundary, Point origin);
 
 }  // namespace apollonius::internal

@@ -11,7 +11,8 @@ namespace apollonius::internal {
 
 class CellSums {
  public:
-  /// `box` holds all that is summed; cells are measured from its point nearest to their centres.
+  /// REQUIRES: `box` contains all pieces. Each cell is measured about the point of the box that is
+  /// nearest to its centre.
   CellSums(const DiagramCore& core, const Rectangle& box, Measure what);
 
   /// Adds a piece between two cells, counted `multiplicity` times for the one on its left.
