@@ -73,8 +73,8 @@ class LineForm {
 
   /// Is it positive or 0 at E = e? At the ends at infinity (E = 0 and E = infinity): is its limit?
   [[nodiscard]] bool isBeyond(double e) const;
-  /// The E where it becomes positive, or negative, as E grows, clamped to [e0, e1]. REQUIRES: there
-  /// is one: between two E of different sign, or on the two sides of a dip or bump.
+  /// The E where it becomes positive, or negative, as E grows, clamped to [e0, e1]. Meaningful only
+  /// if there is one: between two E of different sign, or on the two sides of a dip or bump.
   [[nodiscard]] double rise(double e0, double e1) const;
   [[nodiscard]] double fall(double e0, double e1) const;
   /// The E where it becomes positive, or negative, on the whole bisector; 0 if there is none.
