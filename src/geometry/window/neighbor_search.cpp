@@ -16,7 +16,7 @@ constexpr std::size_t kFewTimes = 4;
 constexpr unsigned kLogFanout = 2;
 constexpr std::size_t kFanout = std::size_t{1} << kLogFanout;
 constexpr std::size_t kMostLevels = 16;  // enough for 2^32 neighbours
-/// Sites that are farther by this share of all numbers are left out (neighbor_search.h).
+/// Sites that are farther by this share of the numbers involved are left out (neighbor_search.h).
 constexpr double kApart = powerOfTwo(-34);
 
 double sizeOf(Point p) { return absolute(p.x) + absolute(p.y); }

@@ -32,9 +32,9 @@ struct Area {
   double value = 0;
   double rounding = 0;
 };
-/// Computes the area that a closed ring encloses, negative if the ring is clockwise. Roundings:
-/// those of the points, which may stand for others up to half a unit in the last place, and those
-/// of the computation.
+/// Computes the area that a closed ring encloses, negative if the ring is clockwise. Its `rounding`
+/// covers the computation and the points, which may stand for others up to half a unit in the last
+/// place away.
 [[nodiscard]] Area areaOf(std::span<const Point> ring);
 
 struct NormalizedPolygon {

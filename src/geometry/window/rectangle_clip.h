@@ -16,7 +16,7 @@
 
 namespace apollonius::internal {
 
-/// Not on the border: an end of a piece that is a Voronoi vertex.
+/// The side of a piece's end that is a Voronoi vertex, not on the border.
 inline constexpr signed char kNoSide = -1;
 
 /// A part of an edge inside the window, counter-clockwise about the edge's reference site.

@@ -24,7 +24,7 @@ class SegmentGrid {
   SegmentGrid(std::span<const Point> points, std::span<const Segment> segments,
               const Rectangle& box);
 
-  /// The segments that meet a cell, and perhaps others beside it; ascending.
+  /// The segments that meet a cell, and perhaps others close to it; ascending.
   [[nodiscard]] std::span<const std::uint32_t> at(std::size_t cell) const {
     return std::span(entries_).subspan(starts_[cell], starts_[cell + 1] - starts_[cell]);
   }
