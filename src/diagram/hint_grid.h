@@ -60,18 +60,18 @@ class HintGrid {
     insert(slot, to);
   }
 
-  /// Has so much been inserted since the last rebuild that another one pays, which looks at this
-  /// many slots? Few of them may be those of visible sites.
+  /// Is a rebuild, which looks at `slots` slots, worth it by now? Few of these slots may have
+  /// visible sites.
   [[nodiscard]] bool isOutgrown(std::size_t slots) const {
     return noted_ > kLeast && noted_ > 2 * cells_.size() && noted_ > slots / 64;
   }
 
-  /// Starts anew with all cells empty, for `sites` sites within a box; insert() each of them then,
+  /// Starts anew with all cells empty, for `sites` sites within a box. Then insert() each of them,
   /// and call fillGaps().
   void rebuild(std::size_t sites, const Site& low, const Site& high) noexcept;
 
-  /// Cells without a site, a third of them where sites are spread at random, get that of a cell
-  /// beside.
+  /// Gives each cell without a site that of a cell beside it. (With random sites, a third of the
+  /// cells have none.)
   void fillGaps() noexcept;
 
   void clear() noexcept { *this = HintGrid{}; }
@@ -89,7 +89,7 @@ class HintGrid {
 
   struct Cell {
     Slot site : kSiteBits = kEmptySlot;
-    std::uint32_t count : 3 = 0;  // of sites inserted; stays at kFew + 1 once it got there
+    std::uint32_t count : 3 = 0;  // number of sites inserted; once at kFew + 1, it stays there
   };
 
   /// The row or column of cells at a position, and the one beside it that is closer to the

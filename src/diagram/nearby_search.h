@@ -123,7 +123,7 @@ class NearbySearch {
   double maxDistance_ = 0;
   Site last_ = kNone;      // returned last, not followed yet
   FlatArray<Entry> heap_;  // the nearest on top
-  SlotSet seen_;           // of visible sites: a hidden one has one parent
+  SlotSet seen_;           // visible sites only: a hidden one has one parent
   FlatArray<Site> candidates_;
 };
 

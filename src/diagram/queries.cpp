@@ -87,7 +87,7 @@ class WindowSearch {
 
   struct Piece {
     Rectangle r;
-    std::size_t allowed;  // of sites that do not meet the window, but for twice those that do
+    std::size_t allowed;  // how many sites may miss the window, besides twice those that meet it
 
     [[nodiscard]] double x() const { return between(r.xmin, r.xmax); }
     [[nodiscard]] double y() const { return between(r.ymin, r.ymax); }

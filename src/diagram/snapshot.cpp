@@ -156,7 +156,7 @@ bool Restoring::readHidden() {
   return words % 2 == 0 || in_.word() == 0;
 }
 
-/// What is in the graph is visible. False if it is a free slot.
+/// Sets the state of all sites in the graph to visible. Returns false if one has a free slot.
 bool DiagramCore::restoreStates() {
   for (Slot slot = 0; slot < ids_.slots(); ++slot) {
     if (!delaunay_.isVisible(vertexOf(slot))) continue;
