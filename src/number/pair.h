@@ -22,8 +22,8 @@ inline Pair loadPair(const double* from) {
   return pair;
 }
 
-/// Of the four numbers in two pairs: the first and the third, the second and the fourth, the second
-/// and the third.
+/// Select two of the four numbers in two pairs: the first and the third, the second and the fourth,
+/// the second and the third.
 inline Pair firsts(Pair a, Pair b) { return __builtin_shufflevector(a, b, 0, 2); }
 inline Pair seconds(Pair a, Pair b) { return __builtin_shufflevector(a, b, 1, 3); }
 inline Pair middles(Pair a, Pair b) { return __builtin_shufflevector(a, b, 1, 2); }

@@ -203,7 +203,7 @@ VoronoiCircle closeCircle(Corner i, Corner j, Corner k) {
   if (circle.isHalfPlane() || (isKnown && circle.error <= powerOfTwo(-40) * size)) return circle;
   BoundedCenter<Twofold> twofold;
   if (findTwofoldCircle(*i, *j, *k, twofold)) {
-    // Of the parts seen from i, the distance is the largest.
+    // Seen from i, no part is larger than the distance.
     const double least = std::min(absolute(twofold.x.value), absolute(twofold.y.value));
     if (twofold.error <= kUnitRoundoff * least) return rounded(twofold, *i);
   }
