@@ -53,15 +53,15 @@ class SphericalCore {
  private:
   friend class Restoring;  // fills a new diagram
 
-  /// Projects all sites of the table from a pole that is chosen now.
+  /// Chooses a pole and projects all sites of the table from it.
   void project();
   void take(Projecting& finished) noexcept;
-  /// Sites that are in the table and in no projection yet.
+  /// Enters sites that are in the table and in no projection yet.
   void enter(std::span<const SiteId> ids);
 
   SiteTable sites_;
   ProjectedDiagram projected_;
-  std::size_t sizeAtChoice_ = 0;  // of the table, when the pole was chosen
+  std::size_t sizeAtChoice_ = 0;  // the table's size when the pole was chosen
   std::uint64_t seed_ = 1;
   std::uint64_t revision_ = 0;
   FlatArray<SiteId> removed_;        // scratch
