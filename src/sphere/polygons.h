@@ -28,8 +28,8 @@ class CellPolygons {
  private:
   /// Writes the boundary to points_: parts of edges, and of the circle at the angle `reach`.
   void followWithin(VertexId node, double reach);
-  /// The boundary in points_ without its spurs: a ring does not go to a point and back the same
-  /// way, as around a cell without width.
+  /// Removes the spurs of the boundary in points_, and returns the rest. A spur goes to a point and
+  /// back the same way, as around a cell without width.
   [[nodiscard]] std::span<const MapPoint> withoutSpurs();
 
   const ProjectedDiagram& diagram_;

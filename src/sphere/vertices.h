@@ -14,8 +14,8 @@ struct SphericalVertex {
   double clearance = 0;  ///< in radians
 };
 
-/// The three equations of a vertex solved from an approximation. Accurate to some 10^-15 radians
-/// where the sites determine it that well.
+/// Solves the three equations of a vertex, starting from an approximation. Accurate to some 10^-15
+/// radians where the sites determine it that well.
 [[nodiscard]] SphericalVertex refined(const SphericalVertex& start,
                                       const std::array<const Cap*, 3>& caps);
 
