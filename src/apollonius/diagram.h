@@ -144,7 +144,7 @@ class APOLLONIUS_EXPORT Diagram {
   /// and +infinity if empty. Exact choice; the distance is rounded. Errors: kNotFinite,
   /// kOutOfRange, kOutOfMemory.
   [[nodiscard]] Error find(double x, double y, SiteId& id) const;
-  /// With the distance |p - c| - r, off by less than one unit in the last place.
+  /// Also gives the distance |p - c| - r, with an error of less than one unit in the last place.
   [[nodiscard]] Error find(double x, double y, SiteId& id, double& distance) const;
 
   /// With a limit: kNoSite and infinity if the nearest site is farther than `maxDistance`
@@ -194,8 +194,9 @@ class APOLLONIUS_EXPORT Diagram {
   [[nodiscard]] Error pick(double x, double y, double maxDistance, Top top, SiteId& id) const;
 
   /// The circle whose far side is the farthest from a point, with the largest |p - c| + r, and that
-  /// distance, off by less than one unit in the last place; ties go to the larger r, then x, then
-  /// y. kNoSite and -infinity if empty. Exact choice. Errors: as find. Cost: O(length of the hull).
+  /// distance, with an error of less than one unit in the last place; ties go to the larger r, then
+  /// x, then y. kNoSite and -infinity if empty. Exact choice. Errors: as find. Cost: O(length of
+  /// the hull).
   [[nodiscard]] Error farthest(double x, double y, SiteId& id, double& distance) const;
 
   /// The smallest circle around all circles. Which sites touch it is decided exactly; centre and
@@ -260,9 +261,9 @@ class APOLLONIUS_EXPORT Diagram {
   /// Cost: O(n), about 56 bytes a site.
   [[nodiscard]] Error toBytes(std::vector<std::uint8_t>& bytes) const;
 
-  /// Becomes the diagram that was saved: sites, ids, those that are free, hidden sites, graph;
-  /// location stays as it was chosen. The bytes are verified, by exact arithmetic: whoever made
-  /// them, the diagram is that of their sites. Errors: kCorruptSnapshot, kOutOfMemory. Cost: O(n),
+  /// Becomes the diagram that was saved: sites, ids, free ids, hidden sites, graph; the location
+  /// stays as it was chosen. The bytes are verified by exact arithmetic: even if they are forged,
+  /// the diagram is that of the sites in them. Errors: kCorruptSnapshot, kOutOfMemory. Cost: O(n),
   /// without any search; on degenerate input (grids) about as long as building.
   ///
   /// Source::kTrusted skips the verification, for bytes that toBytes() wrote and nobody has

@@ -77,7 +77,7 @@ void SiteMoves::reserveMoves(const DelaunayGraph& delaunay) {
   }
 }
 
-/// Do they touch most faces? Then all are looked at.
+/// Do the moves touch most faces? Then all faces are checked.
 bool SiteMoves::areMost() const { return moves_.size() * 8 >= delaunay_->graph().faceCount(); }
 
 void SiteMoves::reserveFaces(const Graph& graph) {
@@ -412,7 +412,7 @@ void SiteMoves::takeBackOneOf(FaceId f) {
   isStuck_ = true;
 }
 
-/// Exchanges what is known of changed faces and what the diagram knows of them.
+/// Swaps the circles of changed faces with those in the diagram.
 void SiteMoves::swapCircles() noexcept {
   for (ChangedFace& changed : changed_) {
     if (changed.isActive) delaunay_->swapCircle(changed.face, changed.circle);

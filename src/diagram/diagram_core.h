@@ -28,9 +28,9 @@ class DiagramCore {
 
   /// `given` is the id, if ids are given.
   SiteId insert(const Site& site, SiteId given = kNoSite);
-  /// Inserts a site hung directly on `cover`, as its last child: for snapshots of what is built of
-  /// a diagram. False, and nothing changed, if it may not hang there. REQUIRES: ids are given;
-  /// that of the cover is in use.
+  /// Inserts a site hung directly on `cover`, as its last child: for snapshots of structures built
+  /// on a diagram. If it may not hang there, returns false and changes nothing. REQUIRES: ids are
+  /// given; the cover's is in use.
   [[nodiscard]] bool insertBelow(const Site& site, SiteId given, SiteId cover);
   /// Room for given ids below this limit.
   void reserveIds(std::size_t idLimit) { ids_.reserveIds(idLimit); }

@@ -137,7 +137,7 @@ bool Restoring::readSites() {
   if (header_.hidden > sites || header_.faceSlots >= kNoIndex / 3) return false;
   const std::uint64_t words = wordsFor(slots, idLimit, sites, header_.hidden, header_.faceSlots);
   if (4 * (words + words % 2) != content.size())
-    return false;  // so what is made room for below is in the bytes
+    return false;  // so the room made below is no larger than the bytes
   diagram_.reserve(header_.slots);
   for (Slot slot = 0; slot < slots; ++slot) {
     const double x = in_.number(), y = in_.number(), r = in_.number();
