@@ -15,10 +15,10 @@ namespace apollonius {
 using namespace internal;
 
 struct internal::AreaFitState {
-  NormalizedPolygon polygon;  // of its own: the region may go
+  NormalizedPolygon polygon;  // a copy: the region may be destroyed
   AreaFitter fit;
   std::size_t idLimit;
-  std::uint64_t diagram;  // its state
+  std::uint64_t diagram;  // number of its state
   SiteId badSite = kNoSite;
   bool isBegun = false;
 
@@ -112,7 +112,7 @@ Error AreaFit::finish(Diagram& diagram) const {
     return Error::kOutOfMemory;
   }
   const Error error = diagram.updateMany(state_->fit.ids(), xyr);
-  // What failed has been undone: the same sites, but the number of another state.
+  // A failed update has been undone: the sites are the same, but the state has another number.
   if (error != Error::kNone) state_->diagram = diagram.state_;
   return error;
 }

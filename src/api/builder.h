@@ -1,11 +1,11 @@
-// BuilderOf, whose instances are in builder.cpp and spherical_builder.cpp. The work of each is made
-// of the diagram, and has:
-//   core()                      of the diagram
-//   error                       that ended the work
-//   reading                     of a snapshot, if there is one
-//   size()                      of the sites that have been added and are not done
+// BuilderOf, whose instances are in builder.cpp and spherical_builder.cpp. The Work of each is
+// constructed from the diagram, and has:
+//   core()                      the diagram's core
+//   error                       the error that ended the work
+//   reading                     the snapshot that is read, if there is one
+//   size()                      number of sites that have been added and are not done
 //   reserve(), add(), read(), advance(), progress(), become()
-//                               as the builder's, of what has been checked; throw std::bad_alloc
+//                               the builder's calls, with checked arguments; throw std::bad_alloc
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,7 @@ namespace apollonius {
 
 namespace internal {
 
-/// A snapshot that is read beside the diagram that it becomes.
+/// Reads a snapshot into a new diagram, which will replace the builder's.
 template <class Core, class Restoring>
 class Reading {
  public:

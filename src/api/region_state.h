@@ -1,5 +1,4 @@
-// What a Region holds: its polygon, and the clipping to it of the diagram that it was last used
-// with.
+// The state of a Region: its polygon, and the last diagram that it was used with, clipped to it.
 #pragma once
 
 #include <cstdint>

@@ -18,8 +18,8 @@ void listIds(const AnyDiagram& diagram, std::vector<SiteId>& ids) {
   }
 }
 
-/// The same with the sites; `AnyCircle` is what the diagram calls one. Replaces the contents.
-/// Throws std::bad_alloc.
+/// Lists ids, circles and hidden flags of all sites; `AnyCircle` is the diagram's type of a circle.
+/// Replaces the contents. Throws std::bad_alloc.
 template <class AnyCircle, class AnyDiagram>
 void listSites(const AnyDiagram& diagram, SiteArrays& sites) {
   listIds(diagram, sites.ids);

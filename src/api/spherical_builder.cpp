@@ -44,8 +44,8 @@ struct SphericalBuilder::Work {
 
   SphericalDiagram& diagram;
   SiteTable sites;
-  std::optional<Projecting> projecting;  // of `sites`
-  Error error = Error::kNone;            // that ended the work
+  std::optional<Projecting> projecting;  // projects `sites`
+  Error error = Error::kNone;            // the one that ended the work
   std::unique_ptr<Reading> reading;
 };
 

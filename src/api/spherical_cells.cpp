@@ -136,7 +136,7 @@ Error SphericalDiagram::cellCentroid(SiteId id, double distance, SphericalPoint&
     listSectors(diagram, node, vertices, sectors);
     Direction moment;
     const double area = areaOfCell(diagram.cap(node), sectors, most, &moment);
-    // Of a cell that is symmetric about the centre of the sphere, only rounding is left.
+    // The moment of a cell that is symmetric about the sphere's centre is nothing but rounding.
     const bool hasDirection = lengthOf(moment) > 0x1p-40 * area;
     const LonLat point = lonLatOf(hasDirection ? moment : diagram.cap(node).centre);
     centroid = {point.lon, point.lat};

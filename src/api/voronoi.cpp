@@ -58,7 +58,7 @@ class EdgeLister final : public EdgeVisitor {  // NOLINT: nothing derives from i
   CurveArrays& edges_;
 };
 
-/// Of a closed boundary; `origin` should be near it.
+/// Moments of the area inside a closed boundary; `origin` should be near it.
 CellMoments momentsOf(std::span<const BoundaryPiece> boundary, Point origin) {
   Moments sum;
   for (const BoundaryPiece& piece : boundary) sum.add(piece.curve, origin);
@@ -307,7 +307,7 @@ Error Voronoi::cellPolygons(double tolerance, CoverageArrays& coverage) const {
     assign(coverage, found);
   });
   if (error != Error::kNone || isCovered) return error;
-  // Of trusted bytes that were no diagram, anything can come.
+  // An unverified snapshot may hold an invalid diagram.
   return diagram_.core_->delaunay().isProven() ? Error::kBroken : Error::kCorruptSnapshot;
 }
 

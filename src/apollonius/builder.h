@@ -21,14 +21,14 @@ class SphericalDiagram;
 template <class AnyDiagram>
 class APOLLONIUS_EXPORT BuilderOf {
  public:
-  /// Of a diagram that is empty, stays where it is, and is left alone until the work is done. It is
-  /// empty again if the builder ends before that, or with an error.
-  /// Throws std::bad_alloc.
+  /// The diagram must be empty, stay where it is, and not be used until the work is done. It is
+  /// empty again if the builder is destroyed before that, or ends with an error. Throws
+  /// std::bad_alloc.
   explicit BuilderOf(AnyDiagram& diagram);
   ~BuilderOf();
   BuilderOf(BuilderOf&&) noexcept;
 
-  /// Room for this many sites that will be added. Errors: kOutOfMemory, kTooLarge.
+  /// Makes room for this many sites that will be added. Errors: kOutOfMemory, kTooLarge.
   [[nodiscard]] Error reserve(std::size_t count);
 
   /// Adds triples. Errors: as insertMany of the diagram; kBadLength (no multiple of 3): then none

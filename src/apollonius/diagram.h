@@ -50,8 +50,8 @@ enum class Error : std::uint8_t {
                      ///< (apollonius/area_fit.h)
   kNoConvergence,    ///< weights for given areas were not found (apollonius/area_fit.h)
   kBusy,             ///< the diagram has changed meanwhile (apollonius/area_fit.h)
-  kBroken,           ///< what the library checks of its own answer does not hold: a defect of it
-                     ///< (Voronoi::cellPolygons)
+  kBroken,           ///< a check that the library makes of its own result has failed: a defect of
+                     ///< the library (Voronoi::cellPolygons)
 };
 
 /// A circle: centre and weight (radius). Negative weights are legal: only differences of weights
@@ -94,9 +94,9 @@ class APOLLONIUS_EXPORT Diagram {
   /// Errors: as insert; kBadLength unless xyr.size() == 3 * ids.size().
   [[nodiscard]] Error insertMany(std::span<const double> xyr, std::span<SiteId> ids);
 
-  /// The same for triples in an array that is given up: it is freed as soon as they have been
-  /// copied, before the large arrays are made, so that memory never holds both. Replaces the
-  /// contents of `ids`. (After an error the array may be there or not.)
+  /// Adds triples from an array that is given up: it is freed as soon as they have been copied,
+  /// before the large arrays are made, so that memory never holds both. Replaces the contents of
+  /// `ids`. (After an error the array may have been freed or not.) Otherwise as above.
   [[nodiscard]] Error insertMany(std::vector<double>&& xyr, std::vector<SiteId>& ids);
 
   /// Removes a site; `removed` tells whether there was one. Sites that only it covered become
@@ -144,12 +144,12 @@ class APOLLONIUS_EXPORT Diagram {
   /// and +infinity if empty. Exact choice; the distance is rounded. Errors: kNotFinite,
   /// kOutOfRange, kOutOfMemory.
   [[nodiscard]] Error find(double x, double y, SiteId& id) const;
-  /// With the distance |p - c| - r, off by less than one unit in the last place.
+  /// Also gives the distance |p - c| - r, with an error of less than one unit in the last place.
   [[nodiscard]] Error find(double x, double y, SiteId& id, double& distance) const;
 
-  /// The same, or kNoSite and infinity if the nearest site is farther than `maxDistance` (negative:
-  /// that deep inside; infinity: no limit). Exact, that very distance included. Errors: also
-  /// kOutOfRange, kNotFinite of the limit.
+  /// With a limit: kNoSite and infinity if the nearest site is farther than `maxDistance`
+  /// (negative: that deep inside; infinity: no limit). The comparison is exact, and the limit
+  /// itself is included. Errors: also kOutOfRange, kNotFinite of the limit.
   [[nodiscard]] Error find(double x, double y, double maxDistance, SiteId& id) const;
   [[nodiscard]] Error find(double x, double y, double maxDistance, SiteId& id,
                            double& distance) const;
@@ -194,8 +194,9 @@ class APOLLONIUS_EXPORT Diagram {
   [[nodiscard]] Error pick(double x, double y, double maxDistance, Top top, SiteId& id) const;
 
   /// The circle whose far side is the farthest from a point, with the largest |p - c| + r, and that
-  /// distance, off by less than one unit in the last place; ties go to the larger r, then x, then
-  /// y. kNoSite and -infinity if empty. Exact choice. Errors: as find. Cost: O(length of the hull).
+  /// distance, with an error of less than one unit in the last place; ties go to the larger r, then
+  /// x, then y. kNoSite and -infinity if empty. Exact choice. Errors: as find. Cost: O(length of
+  /// the hull).
   [[nodiscard]] Error farthest(double x, double y, SiteId& id, double& distance) const;
 
   /// The smallest circle around all circles. Which sites touch it is decided exactly; centre and
@@ -260,9 +261,9 @@ class APOLLONIUS_EXPORT Diagram {
   /// Cost: O(n), about 56 bytes a site.
   [[nodiscard]] Error toBytes(std::vector<std::uint8_t>& bytes) const;
 
-  /// Becomes the diagram that was saved: sites, ids, those that are free, hidden sites, graph;
-  /// location stays as it was chosen. The bytes are verified, by exact arithmetic: whoever made
-  /// them, the diagram is that of their sites. Errors: kCorruptSnapshot, kOutOfMemory. Cost: O(n),
+  /// Becomes the diagram that was saved: sites, ids, free ids, hidden sites, graph; the location
+  /// stays as it was chosen. The bytes are verified by exact arithmetic: even if they are forged,
+  /// the diagram is that of the sites in them. Errors: kCorruptSnapshot, kOutOfMemory. Cost: O(n),
   /// without any search; on degenerate input (grids) about as long as building.
   ///
   /// Source::kTrusted skips the verification, for bytes that toBytes() wrote and nobody has

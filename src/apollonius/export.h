@@ -1,5 +1,6 @@
-// What a shared build of the library shows; all else is hidden (CXX_VISIBILITY_PRESET). A static
-// one shows nothing, so that a library that it is linked into does not show it either.
+// Marks the symbols that a shared build of the library exports; all others are hidden
+// (CXX_VISIBILITY_PRESET). A static build exports none, so that a library that it is linked into
+// does not export them either.
 #pragma once
 
 #ifdef APOLLONIUS_SHARED

@@ -1,5 +1,5 @@
-// The sites around a point one by one, nearest first: for those who cannot say beforehand how many
-// they need, such as whoever looks for the nearest ones of some kind.
+// The sites around a point one by one, nearest first: for callers that do not know beforehand how
+// many they need, as in a search for the nearest sites of some kind.
 #pragma once
 
 #include <limits>
@@ -22,9 +22,9 @@ class APOLLONIUS_EXPORT NearestFirstOf {
   ~NearestFirstOf();
   NearestFirstOf(NearestFirstOf&&) noexcept;
 
-  /// From now on next() gives the sites around (x, y), on the sphere longitude and latitude, that
-  /// are not farther than `maxDistance`, hidden ones too. Errors: as within() and kNearest() of the
-  /// diagram. Cost: one location.
+  /// Starts a walk: next() gives the sites around (x, y), on the sphere longitude and latitude,
+  /// that are not farther than `maxDistance`, hidden ones too. Errors: as within() and kNearest()
+  /// of the diagram. Cost: one location.
   [[nodiscard]] Error start(double x, double y,
                             double maxDistance = std::numeric_limits<double>::infinity());
 
@@ -32,8 +32,8 @@ class APOLLONIUS_EXPORT NearestFirstOf {
   /// ends with it. Cost: for m sites together O(m log m) with their neighbours.
   [[nodiscard]] Error next(SiteId& id);
 
-  /// From the point to the site that next() gave last, as find() has it: so at most 0 if its circle
-  /// contains the point. Infinity before the first site and after the last. O(1).
+  /// The distance from the point to the site that next() gave last, as find() gives it: so at most
+  /// 0 if its circle contains the point. Infinity before the first site and after the last. O(1).
   [[nodiscard]] double distance() const;
 
  private:

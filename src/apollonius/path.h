@@ -17,14 +17,14 @@ enum class Command : std::uint8_t {
 };
 
 struct Path {
-  std::vector<std::uint8_t> commands;  ///< of Command
+  std::vector<std::uint8_t> commands;  ///< values of Command
   std::vector<double> coordinates;     ///< x, y of each point
 
   void clear() {
     commands.clear();
     coordinates.clear();
   }
-  /// Segments of their own, x0, y0, x1, y1 each.
+  /// Adds separate segments, x0, y0, x1, y1 each.
   void segments(const double* ends, std::size_t count) {
     coordinates.insert(coordinates.end(), ends, ends + 4 * count);
     std::size_t at = commands.size();

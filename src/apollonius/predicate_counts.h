@@ -17,11 +17,12 @@ struct PredicateCounts {
   StageCounts distance;        ///< which of two sites is nearer to a point?
   StageCounts bearing;         ///< on which side of a vertex is a point, seen from a site?
   StageCounts vertexConflict;  ///< does a new site take over a Voronoi vertex?
-  StageCounts edgeConflict;    ///< and what of an edge, given its ends?
+  StageCounts edgeConflict;    ///< which part of an edge does it take over, given the edge's ends?
   double ties = 0;             ///< vertex conflicts that were exactly zero: the canonical rule
 };
 
-/// Of all diagrams, since this thread began; what a call asks is the difference.
+/// Returns the counts of all diagrams since this thread began. To count one call, subtract two
+/// readings.
 [[nodiscard]] APOLLONIUS_EXPORT PredicateCounts predicateCounts() noexcept;
 
 }  // namespace apollonius

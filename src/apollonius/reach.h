@@ -16,16 +16,16 @@ namespace apollonius {
 /// are in the range of coordinates, or calls that use it return an error (apollonius/voronoi.h).
 class Reach {
  public:
-  /// Everywhere.
+  /// Sets no limit.
   Reach() = default;
-  /// The same distance for all sites.
+  /// Sets one distance for all sites.
   explicit Reach(double distance) : all_(taken(distance)) { note(all_); }
-  /// A distance for each id; ids beyond have none. Throws std::bad_alloc.
+  /// Sets a distance for each id; ids beyond have no limit. Throws std::bad_alloc.
   explicit Reach(std::span<const double> byId) : byId_(byId.begin(), byId.end()) {
     for (double& distance : byId_) note(distance = taken(distance));
   }
-  /// Limits some ids, ascending, for calls about one cell; all others have none. Throws
-  /// std::bad_alloc. REQUIRES: as many distances, not none.
+  /// Limits some ids, ascending, for calls about one cell; all others have no limit. Throws
+  /// std::bad_alloc. REQUIRES: as many distances as ids, at least one.
   Reach(std::span<const SiteId> ids, std::span<const double> distances) : Reach(distances) {
     ids_.assign(ids.begin(), ids.end());
   }
@@ -58,7 +58,7 @@ class Reach {
 
   double all_ = std::numeric_limits<double>::infinity();
   std::vector<double> byId_;
-  std::vector<SiteId> ids_;  // whose rows of byId_ these are, unless each id has its own
+  std::vector<SiteId> ids_;  // the ids of byId_'s rows; empty if row k is that of id k
   bool hasNaN_ = false, isOutOfRange_ = false;
 };
 

@@ -16,11 +16,11 @@ namespace internal {
 struct RegionState;
 }
 
-/// Rings, of which the inside is where a line to infinity crosses them an odd number of times
-/// (even-odd rule), whatever their directions. They may cross and touch themselves and each other,
-/// repeat points, and overlap; parts whose area is but the rounding of their points are left out.
-/// Not thread-safe, also for reading: it keeps what it has found out
-/// about the diagram that it was last used with, as long as that stays as it is.
+/// A region bounded by rings, whatever their directions: a point is inside if a line from it to
+/// infinity crosses them an odd number of times (even-odd rule). Rings may cross and touch
+/// themselves and each other, repeat points, and overlap; parts whose area is only the rounding of
+/// their points are left out. Not thread-safe, also for reading: a region caches results for the
+/// diagram that it was last used with, as long as that does not change.
 class APOLLONIUS_EXPORT Region {
  public:
   Region() noexcept;
@@ -28,15 +28,16 @@ class APOLLONIUS_EXPORT Region {
   Region(Region&&) noexcept;
   Region& operator=(Region&&) noexcept;
 
-  /// Replaces the region, which is as it was after an error. Of rings x, y, …, closed by
-  /// themselves: starts[k] is the first point of ring k, and the last entry the number of points.
-  /// Errors: kBadBounds for a ring of fewer than three points, a coordinate that is not finite or
-  /// out of range, starts that do not fit, and if nothing is inside; kOutOfMemory. Cost:
-  /// O(m log m), m = points and crossings, unless many segments are close together.
+  /// Replaces the region by that of the rings x, y, …; after an error it is unchanged. The last
+  /// point of a ring is joined to its first; starts[k] is the first point of ring k, and the last
+  /// entry the number of points. Errors: kBadBounds for a ring of fewer than three points, a
+  /// coordinate that is not finite or out of range, starts that do not fit, and if nothing is
+  /// inside; kOutOfMemory. Cost: O(m log m), m = points and crossings, unless many segments are
+  /// close together.
   [[nodiscard]] Error assign(std::span<const double> coordinates,
                              std::span<const std::uint32_t> starts);
 
-  /// The box of what is inside; the default Bounds for a region that has not been assigned.
+  /// The box of the inside; the default Bounds for a region that has not been assigned.
   [[nodiscard]] Bounds box() const noexcept;
   /// 0, as are both below, for a region that has not been assigned.
   [[nodiscard]] double area() const noexcept;

@@ -50,7 +50,7 @@ namespace internal::sphere {
 class SphericalCore;
 }
 
-/// Calls that Diagram has, too, do as they do there; what is said here is what differs.
+/// Calls that Diagram has, too, are documented there; the comments here name the differences.
 class APOLLONIUS_EXPORT SphericalDiagram {
  public:
   /// On a sphere of this radius, in the unit of weights, distances and the root of areas; 1 gives
@@ -166,7 +166,7 @@ class APOLLONIUS_EXPORT SphericalDiagram {
   /// none; NaN for a hidden site and for a cell that does not reach beyond its centre. Cost: O(d)
   [[nodiscard]] Error cellCentroid(SiteId id, double distance, SphericalPoint& centroid) const;
   /// The largest circle inside a cell: r, in the radius' unit, is at least 0.999 of the largest
-  /// possible, and the circle is inside but for rounding; of the whole sphere r is half a great
+  /// possible, and the circle is inside up to rounding; for the whole sphere, r is half a great
   /// circle. NaN for a hidden site and for a cell that does not reach beyond its centre. Errors:
   /// also kNoConvergence for a cell that is thousands of times as long as wide. Cost: some hundred
   /// times O(d)
@@ -204,8 +204,8 @@ class APOLLONIUS_EXPORT SphericalDiagram {
   /// same ids to new sites. Replaces the contents. Errors: kOutOfMemory. Cost: O(n), 28 bytes a
   /// site and 8 more a hidden one.
   [[nodiscard]] Error toBytes(std::vector<std::uint8_t>& bytes) const;
-  /// Becomes the diagram that was saved, with its radius. Whoever made the bytes, the diagram is
-  /// that of the sites in them. Errors: kCorruptSnapshot, kOutOfMemory. Cost: that of building.
+  /// Becomes the diagram that was saved, with its radius. Even if the bytes are forged, the diagram
+  /// is that of the sites in them. Errors: kCorruptSnapshot, kOutOfMemory. Cost: that of building.
   [[nodiscard]] Error fromBytes(std::span<const std::uint8_t> bytes);
 
   /// Another number after each change, as long as the diagram lives.

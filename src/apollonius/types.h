@@ -32,9 +32,9 @@ constexpr bool isInRange(double value) {
 
 /// The first broken invariant that a check found; one without `what` found none.
 struct Violation {
-  const char* what = nullptr;  ///< ends with the kind of what is at `where`
+  const char* what = nullptr;  ///< ends with the kind of thing that `where` names
   std::uint32_t where = 0;     ///< an index, id or count
-  std::uint32_t level = 0;     ///< of the hierarchy (0 is the diagram itself)
+  std::uint32_t level = 0;     ///< level of the hierarchy (0 is the diagram itself)
 
   [[nodiscard]] bool isFound() const { return what != nullptr; }
   /// In words; empty if there is none. Throws std::bad_alloc.

@@ -48,7 +48,7 @@ struct CurveArrays {
   std::vector<double> curves;
   std::vector<std::uint32_t> sites;
   std::vector<std::uint32_t>
-      starts;  ///< of a cell: the first curve of each ring, and the number of curves at the end
+      starts;  ///< for a cell: the first curve of each ring, and the number of curves at the end
 };
 
 /// The edges inside a window as a graph: edge k is curve k of Voronoi::edgeCurves().
@@ -82,7 +82,7 @@ struct CoverageArrays {
       cells;  ///< the first part of each of these, and the number of parts at the end
 };
 
-/// Of a cell inside the window. Without parts, all are 0.
+/// Moments of a cell inside the window. If it is empty, all numbers are 0.
 struct CellMoments {
   double area = 0;  ///< relative error a few units in the last place for cells of the window's size
   double centroidX = 0;
@@ -93,7 +93,8 @@ struct CellMeasures : CellMoments {
   double perimeter = 0;  ///< the window's border included
 };
 
-/// What a new circle would take: from which sites, and which share of it. These add up to 1.
+/// The sites from whose cells a new circle would take a part, and each part's share of the new
+/// cell. The shares add up to 1.
 struct NaturalWeights {
   std::vector<SiteId> ids;
   std::vector<double> weights;
@@ -137,7 +138,7 @@ class APOLLONIUS_EXPORT Voronoi {
 
   /// Each Voronoi edge inside the window, its pieces one by one.
   [[nodiscard]] Error edgeCurves(CurveArrays& edges) const;
-  /// The same as a graph.
+  /// The Voronoi edges inside the window as a graph.
   [[nodiscard]] Error edgeGraph(EdgeGraph& graph) const;
   /// The boundary of a cell, counter-clockwise, part by part. Cost: O(d log d).
   [[nodiscard]] Error cellCurves(SiteId id, CurveArrays& boundary) const;
@@ -145,16 +146,16 @@ class APOLLONIUS_EXPORT Voronoi {
   /// pieces of edgeCurves() on both sides, so each of two neighbours has the other. In the order of
   /// the boundary, each once. Cost: O(d log d).
   [[nodiscard]] Error neighbors(SiteId id, std::vector<SiteId>& neighbors) const;
-  /// The same as polygons that are valid in the sense of OGC's Simple Features, whatever the
-  /// tolerance: rings do not cross, and come to no point twice. Neighbours have the points of their
-  /// edge in common, but for some where rounding has put them out of order. A part about as small
-  /// as the distance of doubles there has no ring.
+  /// The boundary of a cell as polygons that are valid in the sense of OGC's Simple Features,
+  /// whatever the tolerance: rings do not cross, and pass no point twice. Neighbours have the
+  /// points of their edge in common, except some that rounding has put out of order. A part about
+  /// as small as the spacing of doubles there has no ring.
   [[nodiscard]] Error cellPolygon(SiteId id, double tolerance, RingArrays& rings) const;
-  /// The polygons of all cells. They tile the window: each segment stands once, and its reverse
-  /// once in the cell beside it, or it lies on the border; and no two segments meet but in common
-  /// ends, which is proved. The sum of their areas is compared with the window's. Errors also:
-  /// kBroken, a defect of the library (of trusted bytes kCorruptSnapshot, a defect of these). Cost:
-  /// O(n) for sites spread evenly, less than a loop of cellPolygon.
+  /// The polygons of all cells. They tile the window: each segment occurs once, and its reverse
+  /// once in the cell beside it, or it lies on the border; and segments meet in common ends only.
+  /// This is proved, and the sum of the areas is compared with the window's. Errors also: kBroken,
+  /// a defect of the library (after a trusted snapshot kCorruptSnapshot, a defect of its bytes).
+  /// Cost: O(n) for sites spread evenly, less than a loop of cellPolygon.
   [[nodiscard]] Error cellPolygons(double tolerance, CoverageArrays& coverage) const;
   /// Those of the sites with ids from `first` to before `end`, each as cellPolygon() gives it: many
   /// at a time, but not all at once.
@@ -224,9 +225,9 @@ class APOLLONIUS_EXPORT Voronoi {
   /// A portion of all cells, in any order, each as drawCell() draws it. Cost: O(h) for sites spread
   /// evenly.
   [[nodiscard]] Error drawCells(double tolerance, Portion& portion, CellDrawings& cells) const;
-  /// The same as text; numbers are rounded to `digits` decimal places (kOutOfRange above 15) and
-  /// written as JavaScript writes them. One that has more than 15 digits then cannot be: no cell,
-  /// and not done.
+  /// A portion of all cells as text. Numbers are rounded to `digits` decimal places (kOutOfRange
+  /// above 15) and written as JavaScript writes them. If one has more than 15 digits then, there
+  /// are no cells, and the portion is not done.
   [[nodiscard]] Error cellPaths(double tolerance, unsigned digits, Portion& portion,
                                 CellPaths& paths) const;
   [[nodiscard]] Error drawHull(double tolerance, Path& path) const;
@@ -235,20 +236,21 @@ class APOLLONIUS_EXPORT Voronoi {
   [[nodiscard]] std::uint32_t slotOf(SiteId id) const;  // where the core has it
   [[nodiscard]] Error windowError() const;
   [[nodiscard]] Error siteError(SiteId id) const;
-  /// Runs unless there is an error before; turns lack of memory into an error.
+  /// Runs the operation unless there is an error before; turns lack of memory into an error.
   template <class Operation>
   [[nodiscard]] Error guarded(Error before, Operation&& operation) const;
-  /// The same for operation(const internal::Clipping&).
+  /// Runs operation(const internal::Clipping&) unless there is an error before or of the window;
+  /// turns lack of memory into an error.
   template <class Operation>
   [[nodiscard]] Error clipped(Error before, Operation&& operation) const;
-  /// operation(the site's cell, the point of the window's box nearest to its centre), unless there
-  /// is an error of the window, the site or the tolerance.
+  /// Runs operation(the site's cell, the point of the window's box nearest to its centre), unless
+  /// there is an error of the window, the site or the tolerance.
   template <class Operation>
   [[nodiscard]] Error withCell(SiteId id, Error tolerance, Operation&& operation) const;
   [[nodiscard]] Error measureAll(internal::Measure what, std::vector<double>& measures) const;
 
   const Diagram& diagram_;
-  Bounds bounds_;  // of the region, if there is one
+  Bounds bounds_;  // the region's, if there is one
   const Region* region_ = nullptr;
   const Reach* reach_;
 };

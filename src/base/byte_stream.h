@@ -64,8 +64,9 @@ class WordReader {
   const std::uint8_t* next_;
 };
 
-/// Of a multiple of eight bytes. Every step is a bijection, so bytes that differ in one group of
-/// eight differ in their checksum. Two sums, as each waits for its product.
+/// Checksum of a multiple of eight bytes. Every step is a bijection, so bytes that differ in one
+/// group of eight differ in their checksum. Two sums run side by side, as each step waits for a
+/// product.
 inline std::uint64_t checksumOf(std::span<const std::uint8_t> bytes) {
   const auto add = [](std::uint64_t& sum, std::uint64_t word) {
     sum = (sum ^ word) * 0x9E3779B97F4A7C15u;

@@ -82,7 +82,7 @@ class FlatArray {
     assert(!empty());
     --bytes_.size;
   }
-  /// Of elements that have been written at data(). REQUIRES: n <= capacity().
+  /// Sets the size after elements have been written at data(). REQUIRES: n <= capacity().
   void setSize(std::size_t n) {
     assert(n <= capacity());
     bytes_.size = n;
@@ -114,12 +114,12 @@ class FlatArray {
     clear();
     resize(n, copy);
   }
-  void assign(std::span<const T> values) {  // of another array
+  void assign(std::span<const T> values) {  // must not be a part of this array
     reserve(values.size());
     std::uninitialized_copy(values.begin(), values.end(), data());
     bytes_.size = values.size();
   }
-  void append(std::span<const T> values) {  // of another array
+  void append(std::span<const T> values) {  // must not be a part of this array
     const std::size_t n = size() + values.size();
     if (n > capacity()) bytes_.growTo(n, sizeof(T));
     std::uninitialized_copy(values.begin(), values.end(), end());

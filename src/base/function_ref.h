@@ -1,5 +1,5 @@
-// A function as an argument, for the time of a call: neither copied nor owned, and whoever takes it
-// need not be a template. (std::function_ref of C++26.)
+// A reference to a function, as an argument for the time of a call: the function is neither copied
+// nor owned, and the callee need not be a template. (std::function_ref of C++26.)
 #pragma once
 
 #include <memory>

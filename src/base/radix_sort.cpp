@@ -10,7 +10,7 @@ namespace apollonius::internal {
 namespace {
 
 constexpr std::size_t kFewEntries =
-    32;  // of which inserting is cheaper than summing up the counters of a radix sort
+    32;  // up to here, insertion sort is cheaper than summing up the counters of a radix sort
 
 void insertionSort(std::span<Keyed> entries) {
   for (std::size_t k = 1; k < entries.size(); ++k) {

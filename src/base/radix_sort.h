@@ -39,7 +39,7 @@ class KeySort {
 
   std::span<Keyed> entries_, other_;
   std::size_t at_ = 0;          // the entry that is next in this pass
-  unsigned digit_ = kCounting;  // of this pass; the least significant is the first
+  unsigned digit_ = kCounting;  // this pass's digit; the least significant comes first
   std::array<std::array<std::uint32_t, 1u << kDigitBits>, kDigits> starts_{};
 };
 

@@ -116,10 +116,9 @@ inline bool ConflictSearch::isEntirelyInConflict(HalfedgeId h, HalfedgeId twin,
 /// on the stack and on the boundary, in order, always bound the region found so far; popping them
 /// counter-clockwise yields the boundary counter-clockwise.
 ///
-/// Insertions spend much of their time here, so there is one check of room a face (f faces that
-/// hang together have at most f + 2 sides, on the stack and on the boundary together), and q and
-/// the arrays are local: the compiler cannot know that what is written leaves the members as they
-/// are.
+/// Insertions spend much of their time here. So there is one check of room per face (f connected
+/// faces have at most f + 2 sides, on the stack and on the boundary together), and q and the arrays
+/// are local variables: the compiler cannot know that writes do not change the members.
 void ConflictSearch::expand() {
   if (faces_.empty()) return;
   const Graph& graph = delaunay_->graph();

@@ -23,16 +23,16 @@ class ConflictSearch {
   /// degree of `near` without a sector.
   void find(const DelaunayGraph& delaunay, const Site& q, VertexId near, HalfedgeId sector);
 
-  /// The same without location: looks for a conflict at a few faces of a visible site close to q's
-  /// centre. False, and nothing found, if there is none; else q is not covered. REQUIRES: at least
-  /// two visible sites.
+  /// Finds the conflict region without location: looks for a conflict at a few faces of a visible
+  /// site close to q's centre. Returns false, with no region, if there is none; else q is not
+  /// covered. REQUIRES: at least two visible sites.
   [[nodiscard]] bool findBeside(const DelaunayGraph& delaunay, const Site& q, VertexId close);
 
-  /// Room for a region of this many faces with a boundary of this many sides.
+  /// Makes room for a region of this many faces with a boundary of this many sides.
   void reserveRegion(std::size_t faces, std::size_t sides) { makeRoom(std::max(faces, sides)); }
 
-  /// Are the faces a disk, with the boundary around them and no vertex within but those that q
-  /// covers? Of a Delaunay graph they are. Throws std::bad_alloc.
+  /// Are the faces a disk, with the boundary around them and no vertex within except those that q
+  /// covers? In a Delaunay graph they are. Throws std::bad_alloc.
   [[nodiscard]] bool isDisk() const;
 
   void reserve(std::size_t faces) { marks_.reserve((faces + kWord - 1) / kWord); }

@@ -42,22 +42,25 @@ class DelaunayGraph {
   [[nodiscard]] VertexId anyVisible() const { return recent_; }
   [[nodiscard]] const Site& site(VertexId v) const { return sites_[index(v)]; }
   [[nodiscard]] Corner corner(VertexId v) const { return v == kInfinity ? nullptr : &site(v); }
-  /// Of a face. After restore() all are missing. Each is computed when it is first asked for, of
-  /// the sites as they are then: who moves visible sites asks for the circles around them before.
+  /// Voronoi circle of a face. After restore() all circles are missing. Each is computed when it is
+  /// first asked for, from the sites as they are then. So before visible sites are moved, the
+  /// circles around them must be asked for.
   [[nodiscard]] const VoronoiCircle& circle(FaceId f) const {
     if (cachedCircle(f).isMissing()) computeCircle(f);
     return cachedCircle(f);
   }
-  /// The same, or kMissingCircle: for filters, and for loops behind computeMissingCircles().
+  /// Circle of a face, or kMissingCircle: for filters, and for loops after computeMissingCircles().
   [[nodiscard]] const VoronoiCircle& cachedCircle(FaceId f) const { return circles_[index(f)]; }
-  /// All that are missing, two by two, which is faster than one by one. Throws std::bad_alloc.
+  /// Computes all missing circles, two by two, which is faster than one by one. Throws
+  /// std::bad_alloc.
   void computeMissingCircles() const;
   /// The Voronoi edge dual to h, with h's origin on its left.
   [[nodiscard]] EdgeCorners edge(HalfedgeId h) const {
     return {corner(graph_.origin(h)), corner(graph_.target(h)), corner(graph_.apex(h)),
             corner(graph_.apex(graph_.twin(h)))};
   }
-  /// Is that a point, as both its ends are one vertex, of more than three sites? Exact.
+  /// Is the Voronoi edge dual to h a point, because both its ends are one vertex of more than three
+  /// sites? Exact.
   [[nodiscard]] bool isPoint(HalfedgeId h) const;
   /// A face's vertex for output: precise, the same bits after any history, and the same for all
   /// faces of which it is the vertex, where more than three sites touch one circle. A half-plane as
@@ -101,11 +104,11 @@ class DelaunayGraph {
   [[nodiscard]] VertexId findConflict(ConflictSearch& conflicts, const Site& q, VertexId start,
                                       Walk walk) const;
 
-  /// What inserting a site will do.
+  /// The effects of inserting a site.
   struct Insertion {
-    VertexId cover;           ///< the visible site that covers it, and then nothing; or kNoVertex
-    std::size_t degree;       ///< of the site
-    std::size_t mostCovered;  ///< of the visible ones, which it hides
+    VertexId cover;           ///< the visible site that covers it (then nothing else), or kNoVertex
+    std::size_t degree;       ///< its degree
+    std::size_t mostCovered;  ///< at most this many visible sites get hidden
     std::size_t returnRoom;   ///< to reserve (reserveReturn) if it may have to be removed again
   };
   /// Finds where the site of v (setSite) belongs, and makes all room that inserting it takes. Walks
@@ -165,8 +168,8 @@ class DelaunayGraph {
   [[nodiscard]] bool isProven() const { return isProven_; }
   /// Has the graph turned out not to be that of its sites? Then it is unusable until clear().
   [[nodiscard]] bool isBroken() const { return isBroken_; }
-  /// What holds in a Delaunay graph. Where it does not, an unproven graph is broken, which throws;
-  /// else the code is.
+  /// Checks what holds in every Delaunay graph. If it does not hold here, an unproven graph is
+  /// broken, which throws; else the code is.
   void requireConsistent(bool holds, const char* name) const {
     if (!holds) markCorrupt(name);
   }
@@ -217,7 +220,7 @@ class DelaunayGraph {
   FlatArray<VoronoiCircle>
       newCircles_;  // scratch: computed before the graph changes, as that may take memory
   FlatArray<VertexId> covered_;  // scratch
-  std::size_t returnRoom_ = 0;   // of reserveReturn()
+  std::size_t returnRoom_ = 0;   // that reserveReturn() has made
 };
 
 }  // namespace apollonius::internal

@@ -43,7 +43,7 @@ class EarClipper {
  private:
   struct CornerOfHole {
     VertexId vertex;
-    std::uint32_t side;  ///< what lies beyond the edge to the next corner, as in Graph::PatchFace
+    std::uint32_t side;  ///< beyond the edge to the next corner, as in Graph::PatchFace
   };
 
   [[nodiscard]] bool isEar(const DelaunayGraph& delaunay, const Site& removed, std::size_t a,
@@ -51,7 +51,7 @@ class EarClipper {
   void addFace(std::size_t a, std::size_t b, std::size_t c, const VoronoiCircle& circle);
   void join(std::uint32_t halfedge, std::uint32_t side);
 
-  FlatArray<CornerOfHole> corners_;  // what is left of the polygon
+  FlatArray<CornerOfHole> corners_;  // the rest of the polygon
   FlatArray<Graph::PatchFace> patch_;
   FlatArray<VoronoiCircle> circles_;
 };

@@ -154,8 +154,8 @@ DelaunayGraph::Located DelaunayGraph::walkSectors(double x, double y, VertexId s
   HalfedgeId begin = graph_.outgoing(start);
   (void)ask(begin);
   for (;;) {
-    // Around the site in both directions at once, until they meet: what is read in one direction
-    // does not wait for what is read in the other.
+    // Goes around the site in both directions at once, until they meet: reads in one direction do
+    // not wait for reads in the other.
     HalfedgeId ccw = begin, cw = begin;
     for (int asked = 1; better == kNoHalfedge && asked < kFewNeighbors; asked += 2) {
       ccw = graph_.rotateCcw(ccw);

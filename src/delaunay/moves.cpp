@@ -15,7 +15,7 @@ namespace apollonius::internal {
 
 namespace {
 
-/// Of a half-plane.
+/// Normal of a half-plane.
 Arrow normalOf(const VoronoiCircle& circle) { return {circle.x, circle.y, circle.slope}; }
 
 }  // namespace
@@ -77,7 +77,7 @@ void SiteMoves::reserveMoves(const DelaunayGraph& delaunay) {
   }
 }
 
-/// Do they touch most faces? Then all are looked at.
+/// Do the moves touch most faces? Then all faces are checked.
 bool SiteMoves::areMost() const { return moves_.size() * 8 >= delaunay_->graph().faceCount(); }
 
 void SiteMoves::reserveFaces(const Graph& graph) {
@@ -141,15 +141,15 @@ void SiteMoves::makeAll() {
   isStuck_ = asksHull_ = false;
 }
 
-/// Would too many have to stay, or too many edges have to be flipped? The share of sites whose own
-/// faces contradict each other after the moves is a good guess at that of those that have to stay
-/// in the end if nothing is flipped; and a site in four is one for an edge in twenty. A sample of
-/// them costs some percent of all.
+/// Would too many sites have to stay, or too many edges have to be flipped? If nothing is flipped,
+/// the share of sites that have to stay is about that of sites whose own faces contradict each
+/// other after the moves. One such site in four means about one flip in twenty edges. Testing a
+/// sample costs some percent of the whole.
 bool SiteMoves::areHopeless() {
   constexpr std::size_t kShare = 16, kMost = 256, kFlippable = 4;
   const std::size_t sample = std::min(moves_.size() / kShare, kMost);
   if (moves_.size() <= mostLeft_ || sample < kShare) return false;
-  delaunay_->computeMissingCircles();  // of the sites as they are now
+  delaunay_->computeMissingCircles();  // while the sites are where they were
   makeAll();
   std::size_t failing = 0;
   for (std::size_t k = 0; k < sample; ++k)
@@ -412,14 +412,14 @@ void SiteMoves::takeBackOneOf(FaceId f) {
   isStuck_ = true;
 }
 
-/// Exchanges what is known of changed faces and what the diagram knows of them.
+/// Swaps the circles of changed faces with those in the diagram.
 void SiteMoves::swapCircles() noexcept {
   for (ChangedFace& changed : changed_) {
     if (changed.isActive) delaunay_->swapCircle(changed.face, changed.circle);
   }
 }
 
-/// As if nothing had been tried: no face is active, no site is moved.
+/// Rolls all tried moves back: no face is active, no site is moved.
 void SiteMoves::takeBackAll() noexcept {
   for (std::size_t k = 0; k < moves_.size(); ++k) {
     const VertexId v = moves_[k].vertex;

@@ -146,7 +146,7 @@ class SiteMoves {
   DelaunayGraph* delaunay_ = nullptr;  // during apply only
   std::span<const Move> moves_;
   std::size_t left_ = 0;                 // moves that have been taken back
-  std::size_t mostLeft_ = 0;             // of them
+  std::size_t mostLeft_ = 0;             // limit of left_
   std::size_t mostFlips_ = 0;            // 0: none are tried
   bool isStuck_ = false;                 // neither a flip nor a site that goes back helps
   bool asksHull_ = false;                // flips or exact answers at infinity: condition 3 is asked
@@ -157,7 +157,7 @@ class SiteMoves {
   FlatArray<std::uint32_t> positionOf_;  // by face: its index in changed_; kNoIndex between calls
   FlatArray<ChangedFace> changed_;
   FlatArray<std::uint32_t> queue_;     // positions of faces to check (again)
-  FlatArray<std::uint32_t> deferred_;  // of those to check last
+  FlatArray<std::uint32_t> deferred_;  // positions of faces to check last
   FlatArray<HalfedgeId> flips_;        // as they were made
 };
 

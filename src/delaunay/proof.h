@@ -1,5 +1,5 @@
-// The proof that a graph is the Delaunay graph of its sites, in linear time: for snapshots from
-// strangers, and for validate().
+// The proof that a graph is the Delaunay graph of its sites, in linear time: for unverified
+// snapshots, and for validate().
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@ class DelaunayGraph;
 
 /// The proof, in steps.
 ///
-/// The conditions, all of them of one face, one edge, or the hull:
+/// The conditions, each about one face, one edge, or the hull:
 ///   1. in a face no site covers another, and its Voronoi circle exists in that orientation;
 ///   2. along each edge its two ends come in their order, and where they coincide the canonical
 ///      rule has chosen the diagonal;
@@ -24,18 +24,19 @@ class DelaunayGraph;
 /// sphere, follows.
 class Proof {
  public:
-  /// `circles` becomes the circles of the faces; what the diagram keeps of them is not looked at.
+  /// `circles` receives the circles of the faces; those kept in the diagram are not used.
   /// REQUIRES: a closed surface with infinity on it, and at least two sites; or an empty graph.
   /// Throws std::bad_alloc.
   Proof(const DelaunayGraph& delaunay, FlatArray<VoronoiCircle>& circles);
 
-  /// Looks at this many more faces or edges; was that all, or does something contradict?
+  /// Checks at most this many more faces or edges. True if all are checked, or a condition does not
+  /// hold.
   bool advance(std::size_t most);
-  /// Says in words which condition does not hold; nullptr as long as all do. where() is the id that
-  /// the words name.
+  /// A text that names the condition that does not hold; nullptr as long as all do. where() is the
+  /// id that the text refers to.
   [[nodiscard]] const char* contradiction() const { return what_; }
   [[nodiscard]] std::uint32_t where() const { return where_; }
-  /// The share that has been looked at, 0 to 1.
+  /// The share that has been checked, 0 to 1.
   [[nodiscard]] double progress() const;
   /// Condition 3 alone, exactly. REQUIRES: the circles at infinity are those of the faces. Cost:
   /// O(sites on the hull).

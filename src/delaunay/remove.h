@@ -15,7 +15,7 @@ namespace apollonius::internal {
 
 class Remover {
  public:
-  /// What became of a site that the removed one had covered.
+  /// New state of a site that the removed one had covered.
   struct Outcome {
     VertexId vertex;
     VertexId cover;  ///< its new cover (a visible site or another of the formerly covered);
@@ -54,15 +54,15 @@ class Remover {
   }
 
   EarClipper ears_;
-  std::size_t room_ = 0;  // of reserve()
+  std::size_t room_ = 0;  // that reserve() has made
 
   // The small diagram; its vertex k is the big one's global_[k], covered by the small one's
   // cover_[k].
   DelaunayGraph small_;
-  ConflictSearch conflicts_;  // of the removed site there
+  ConflictSearch conflicts_;  // conflict region of the removed site in the small diagram
   FlatArray<VertexId> global_;
   FlatArray<VertexId> cover_;
-  FlatArray<VertexId> fallen_;  // what is covered there, in the order in which that came
+  FlatArray<VertexId> fallen_;  // vertices covered there, in the order in which they became so
 
   FlatArray<HalfedgeId> link_;  // half-edges opposite to the site in its star, counter-clockwise
   FlatArray<VertexId> order_;   // neighbours in the order in which they enter the small diagram

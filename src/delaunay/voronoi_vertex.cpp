@@ -15,8 +15,8 @@ namespace apollonius::internal {
 
 namespace {
 
-/// Are the circles of two bounded faces certainly different? Nearly all are: each number is off by
-/// its circle's error at most. (Errors that are not known are infinite.)
+/// Are the circles of two bounded faces certainly different? Nearly all are: the error of each
+/// number is at most its circle's. (Unknown errors are infinite.)
 bool areApart(const VoronoiCircle& a, const VoronoiCircle& b) {
   const double error =
       (static_cast<double>(a.error) + static_cast<double>(b.error)) * (1 + powerOfTwo(-20));

@@ -43,7 +43,7 @@ class BulkInsertion {
   /// it. Is that all? `ids` are the same in all steps.
   bool insert(std::span<SiteId> ids, std::size_t most = kAllAtOnce);
 
-  /// Of all that there is to do, 0 to 1, as far as time can be foreseen.
+  /// Share of the whole work that is done, 0 to 1, as far as time can be foreseen.
   [[nodiscard]] double progress() const;
 
  private:
@@ -61,11 +61,11 @@ class BulkInsertion {
   DiagramCore& diagram_;
   Step step_ = Step::kMakeRoom;
   std::optional<HilbertSort> sort_;
-  FlatArray<std::uint32_t> order_;  // of circles along the curve, then of slots
-  Slot slot_ = kNoSlot;             // that the next circle is copied to
-  Slot firstNew_ = 0;      // from there on slots follow the curve; below, they are free ones
-  std::span<SiteId> ids_;  // of the sites, once they have some
-  std::size_t done_ = 0;   // of those that are copied, named, or attached
+  FlatArray<std::uint32_t> order_;  // circles in the order of the curve, then slots in theirs
+  Slot slot_ = kNoSlot;             // the next circle is copied there
+  Slot firstNew_ = 0;      // from here on slots follow the curve; below, free ones are reused
+  std::span<SiteId> ids_;  // ids of the sites, once they have some
+  std::size_t done_ = 0;   // how many sites have been copied, named, or attached in this step
   Undo undo_ = Undo::kNever;
 };
 

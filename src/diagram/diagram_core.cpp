@@ -14,7 +14,7 @@ namespace apollonius::internal {
 
 namespace {
 
-/// May the second one hang on the first?
+/// May the child hang on the parent?
 struct MayHang {
   const DiagramCore& core;
   bool operator()(Slot parent, Slot child) const { return core.mayHang(child, parent); }

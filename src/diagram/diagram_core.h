@@ -28,9 +28,9 @@ class DiagramCore {
 
   /// `given` is the id, if ids are given.
   SiteId insert(const Site& site, SiteId given = kNoSite);
-  /// Inserts a site hung directly on `cover`, as its last child: for snapshots of what is built of
-  /// a diagram. False, and nothing changed, if it may not hang there. REQUIRES: ids are given;
-  /// that of the cover is in use.
+  /// Inserts a site hung directly on `cover`, as its last child: for snapshots of structures built
+  /// on a diagram. If it may not hang there, returns false and changes nothing. REQUIRES: ids are
+  /// given; the cover's is in use.
   [[nodiscard]] bool insertBelow(const Site& site, SiteId given, SiteId cover);
   /// Room for given ids below this limit.
   void reserveIds(std::size_t idLimit) { ids_.reserveIds(idLimit); }
@@ -104,40 +104,39 @@ class DiagramCore {
   friend class DiagramBreaker;  // tests break a structure on purpose
   friend class Restoring;       // fills a new diagram
 
-  /// Room for everything that is kept per site, for this many slots.
+  /// Makes room for everything that is kept per site, for this many slots.
   void reserve(std::size_t slots);
   /// Slots in use and free ones, once there are this many more sites.
   [[nodiscard]] std::size_t slotsWith(std::size_t more) const {
     return std::max(ids_.slots(), ids_.size() + more);
   }
   /// Enters a site whose slot is in no structure; `start` is visible, or kNoVertex to locate from
-  /// scratch. May throw; else the returned state is what the slot is to get.
+  /// scratch. Returns the state for the slot. May throw.
   [[nodiscard]] SiteState attachSite(Slot slot, const Site& site, VertexId start,
                                      Undo undo = Undo::kNever);
   /// Takes a site out of all structures; its slot becomes pending.
   void detachSite(Slot slot, Undo undo = Undo::kNever);
-  /// How a site got to its new place: not at all (it is there), nothing else having changed, or
-  /// detached and attached.
+  /// How a site got to its new place: it was there already; it moved with nothing else changing; or
+  /// it was detached and attached.
   enum class Moved : std::uint8_t { kNot, kInPlace, kAnew };
-  /// A site that cannot be attached anew returns to where it was.
+  /// Moves a site. If it cannot be attached anew, it returns to where it was.
   Moved move(Slot slot, const Site& site);
   /// Moves a site if nothing else changes by that; else false.
   [[nodiscard]] bool moveInPlace(Slot slot, const Site& site);
-  /// Moves those of the sites together for which that is so, or for which edges can be flipped; the
-  /// others stay where they are. Should
-  /// they be more than `mostLeft`, all may stay; how many do, but for hidden ones that can be moved
-  /// in place.
+  /// Moves together all sites whose moves change nothing else, or need only flips of edges; the
+  /// others stay where they are. If these would be more than `mostLeft`, all may stay. Returns how
+  /// many stay, except hidden ones that can be moved in place.
   std::size_t moveManyInPlace(std::span<const SiteId> ids, std::span<const double> xyr,
                               std::span<const std::uint32_t> order, std::size_t mostLeft);
   [[nodiscard]] bool mayHang(Slot child, const Site& childSite, Slot parent,
                              const Site& parentSite) const;
   [[nodiscard]] bool coversChildren(Slot slot, const Site& to) const;
   [[nodiscard]] bool staysBelow(Slot slot, const Site& to) const;
-  /// Makes those of moves_ that leave the graph as it is, or for which flips make it right, and
-  /// keeps only them there; the levels and the grid follow.
+  /// Applies the moves of moves_ that keep the graph, or that flips make right; drops the others.
+  /// The levels and the grid follow.
   void makeMoves(Flips flips, std::size_t mostLeft);
-  /// Becomes a diagram built anew of all sites with these moves made (rebuild.cpp). False, and
-  /// nothing is changed, if there is no memory for two of them.
+  /// Rebuilds the diagram with all sites and these moves made (rebuild.cpp). Returns false, and
+  /// changes nothing, if there is no memory for two diagrams.
   [[nodiscard]] bool rebuildWith(std::span<const SiteId> ids, std::span<const double> xyr,
                                  std::span<const std::uint32_t> order) noexcept;
   [[nodiscard]] FlatArray<std::uint32_t> orderOfSlots(std::span<const SiteId> ids) const;
@@ -146,14 +145,14 @@ class DiagramCore {
   void undoStep(Step step) noexcept;
   void rollbackRemoval(Slot slot, const Site& site) noexcept;
   void rollbackInsertion(Slot slot) noexcept;
-  /// A site that has moved in place.
+  /// Moves a site that has moved in place back.
   void moveBack(Slot slot, const Site& from) noexcept;
   void detachVisible(Slot slot, Undo undo);
-  /// Into the remover's lists, hiddenList() what hangs on a visible site and may become visible, no
-  /// two of it identical, adoptedList() the rest of what hangs on it.
+  /// Fills the remover's lists with the sites that hang on a visible one: hiddenList() with those
+  /// that may become visible, no two of them identical, adoptedList() with the rest.
   void reparentNestedChildren(Slot slot);
   void orderForInsertion(FlatArray<VertexId>& vertices) const;
-  /// Hangs a site of no other structure on one that covers it, or below. There is room; nothing
+  /// Links an unlinked site below one that covers it, as a child or deeper. There is room; nothing
   /// throws.
   void link(Slot child, Slot parent) noexcept;
   void saveHidden(WordWriter& out) const;

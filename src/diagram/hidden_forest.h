@@ -10,8 +10,8 @@
 // that moves to the front, so that another child is the last one next time. Where neither covers
 // the other, the new one is hung beside.
 //
-// What holds after any history, T being the number of insertions since clear():
-//  1. Of a family in which of any two sites one covers the other (duplicates, concentric circles,
+// Guarantees after any history, T being the number of insertions since clear():
+//  1. In a family in which of any two sites one covers the other (duplicates, concentric circles,
 //     circles that touch in one point from inside), no site has more than kFew children. For link()
 //     puts a site beside kFew others only if it has compared it with one of them; dissolve() hangs
 //     the children of such a site anew; and of the children of a visible site that is removed, the
@@ -71,11 +71,11 @@ class HiddenForest {
   void reserve(std::size_t nodes) {
     if (records_.size() < nodes) records_.resize(nodes, kNone);
   }
-  /// Room for this many more children than there are.
+  /// Makes room for this many more children than there are.
   void reserveChildren(std::size_t more);
 
   [[nodiscard]] Node firstChild(Node n) const { return hasRecord(n) ? links(n).firstChild : kNone; }
-  /// Of a child.
+  /// Next sibling, or kNone. REQUIRES: a child.
   [[nodiscard]] Node nextSibling(Node n) const {
     return isEnd(links(n).after) ? kNone : links(n).after;
   }
@@ -123,7 +123,7 @@ class HiddenForest {
   static constexpr bool isEnd(Node link) { return (link & kEnd) != 0; }
 
   struct Links {
-    Node firstChild = kNone;  // of a free record: the next free one
+    Node firstChild = kNone;  // in a free record: the next free one
     Node lastChild = kNone;
     Node before = kNone;
     Node after = kNone;

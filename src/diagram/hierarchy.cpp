@@ -83,12 +83,12 @@ void Hierarchy::insert(Slot slot, const Site& site) noexcept {
   }
 }
 
-/// One by one would not do: on level 0 all have moved, and of two sites in each other's way the one
-/// that comes first would cover the other where that one has been. So each level moves as a whole
-/// as far as it can (SiteMoves) and is then rid of those that it could not move, and so are all
-/// others; what is left are sites of level 0 where they are now. The levels above are still as they
-/// were before: they, too, hold sites that were visible together. Once no level holds a site in a
-/// former place, those that were left behind enter anew.
+/// Sites cannot move one by one: on level 0 all have moved, and of two sites in each other's way,
+/// the one that moves first could cover the other one's former place. So each level moves as many
+/// of its sites as it can together (SiteMoves). The others are then removed from it and from all
+/// other levels, so that the level holds only sites of level 0 where they are now. The levels above
+/// are still as before: they, too, hold sites that were visible together. Once no level holds a
+/// site in a former place, the sites that were left behind enter anew.
 void Hierarchy::move(std::span<const SiteMoves::Move> moves, Remover& remover) noexcept {
   if (levelCount_ == 0) return;
   try {

@@ -8,12 +8,12 @@
 // return to their levels.
 //
 // A level holds sites that are visible together on level 0: now, or, while it has yet to follow a
-// change, before that; never some of both. What leaves goes first, from all of its levels, then
-// what is new enters. So nothing is ever covered on a level: what covers it there covers it on
-// level 0 as well. (That has to be so: a site hidden on a level would be lost for it, as levels
-// have no forest to bring it back from.)
+// change, before the change; never some of both. Sites that leave are first removed from all of
+// their levels, then new ones enter. So no site is ever covered on a level: its cover there would
+// cover it on level 0 as well. (This is necessary: a site hidden on a level would be lost for it,
+// as levels have no forest to bring it back from.)
 //
-// The hierarchy is an accelerator: where it runs out of memory it is dropped until the diagram is
+// The hierarchy is an accelerator: if it runs out of memory it is dropped until the diagram is
 // cleared, and searches walk from afar.
 #pragma once
 
@@ -37,20 +37,21 @@ class Hierarchy {
   /// The slot of the site to start from on level 0 for (x, y), or kNoSlot if the levels are empty.
   [[nodiscard]] Slot locate(double x, double y) const { return locateOn(0, x, y); }
 
-  /// On how many levels a site is that is visible on level 0, which counts.
+  /// Number of levels of a site that is visible on level 0, including that one.
   [[nodiscard]] unsigned levelsOf(Slot slot) const;
 
-  /// Room on the levels for the visible ones of this many slots, in one piece, if there is memory.
+  /// Makes room on the levels for the visible sites of this many slots, in one piece, if there is
+  /// memory.
   void reserveBulk(std::size_t slots) noexcept;
 
   /// Enters a site that is visible on level 0 and is not on its levels yet.
   void insert(Slot slot, const Site& site) noexcept;
 
-  /// Takes a site off its levels, if it is on any.
+  /// Removes a site from its levels, if it is on any.
   void remove(Slot slot, Remover& remover) noexcept;
 
-  /// Follows moves that left the graph of level 0 as it is, all of those made together at once:
-  /// each is a vertex of level 0 and where its site is now.
+  /// Follows moves that did not change the graph of level 0; all that were made together at once.
+  /// Each names a vertex of level 0 and its site's present place.
   void move(std::span<const SiteMoves::Move> moves, Remover& remover) noexcept;
 
   void clear() noexcept {
@@ -58,8 +59,8 @@ class Hierarchy {
     isDropped_ = false;
   }
 
-  /// The first broken invariant or nullptr; `levelZero` is the diagram's own, whose vertex of slot
-  /// s is s + 1.
+  /// The first broken invariant, or nullptr; `levelZero` is the diagram's own graph, in which slot
+  /// s has the vertex s + 1.
   [[nodiscard]] const char* check(const DelaunayGraph& levelZero, std::uint32_t& where,
                                   std::uint32_t& level) const;
 
@@ -106,8 +107,8 @@ class Hierarchy {
   std::array<std::unique_ptr<DelaunayGraph>, kMostLevels> levels_;  // [k] is level k + 1
   unsigned levelCount_ = 0;
   SiteMoves siteMoves_;
-  // Scratch of move(): of the sites that go with the moves as far as the level at hand, the move
-  // there, and the slot on level 0. Sites that stay behind are listed with those.
+  // Scratch of move(): for the sites that are on the current level and follow the moves, the move
+  // there, and the slot on level 0. Sites that stay behind are listed in behind_.
   FlatArray<SiteMoves::Move> moves_;
   FlatArray<Slot> slots_;
   FlatArray<SiteMoves::Move> behind_;

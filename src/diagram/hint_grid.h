@@ -1,11 +1,11 @@
-// A grid of places to start from: for each cell of a square grid over the sites, some site with its
-// centre there. Where sites are spread evenly, the nearest of those of the four closest cells is
-// mostly the nearest of all, and a look there replaces the descent through the hierarchy. Cells
-// that hold many sites give no answer: there the hierarchy is better.
+// A grid of hints for starts of searches: for each cell of a square grid over the sites, a site
+// with its centre there. Where sites are spread evenly, the nearest of the sites of the four
+// closest cells is mostly the nearest of all, and reading these cells replaces the descent through
+// the hierarchy. Cells that hold many sites give no answer: there the hierarchy is better.
 //
-// The grid is a hint and nothing else. Entries go stale when sites leave or move, and their slots
-// go to sites elsewhere; whoever asks checks that the site is visible, and still close: walks from
-// afar cost far more than the hierarchy. Where it runs out of memory it is dropped.
+// The grid is only a hint. Entries become stale when sites leave or move, and their slots go to
+// sites elsewhere. The caller checks that the site is visible and still close: walks from afar cost
+// far more than the hierarchy. If the grid runs out of memory it is dropped.
 #pragma once
 
 #include <cstdint>
@@ -19,8 +19,8 @@ namespace apollonius::internal {
 class HintGrid {
  public:
   /// Visits the slots of sites whose centres were in the four cells closest to (x, y), one of each
-  /// cell or of one beside it; none where the cell of (x, y) holds many. Reading four cells takes
-  /// hardly longer than one: no address waits for what is at another.
+  /// cell or of one beside it; none if the cell of (x, y) holds many sites. Reading four cells
+  /// takes hardly longer than one: no address depends on another read.
   template <class Visit>
   void forEachNear(double x, double y, Visit visit) const {
     if (cells_.empty()) return;
@@ -60,18 +60,18 @@ class HintGrid {
     insert(slot, to);
   }
 
-  /// Has so much been inserted since the last rebuild that another one pays, which looks at this
-  /// many slots? Few of them may be those of visible sites.
+  /// Is a rebuild, which looks at `slots` slots, worth it by now? Few of these slots may have
+  /// visible sites.
   [[nodiscard]] bool isOutgrown(std::size_t slots) const {
     return noted_ > kLeast && noted_ > 2 * cells_.size() && noted_ > slots / 64;
   }
 
-  /// Starts anew with all cells empty, for `sites` sites within a box; insert() each of them then,
+  /// Starts anew with all cells empty, for `sites` sites within a box. Then insert() each of them,
   /// and call fillGaps().
   void rebuild(std::size_t sites, const Site& low, const Site& high) noexcept;
 
-  /// Cells without a site, a third of them where sites are spread at random, get that of a cell
-  /// beside.
+  /// Gives each cell without a site that of a cell beside it. (With random sites, a third of the
+  /// cells have none.)
   void fillGaps() noexcept;
 
   void clear() noexcept { *this = HintGrid{}; }
@@ -89,7 +89,7 @@ class HintGrid {
 
   struct Cell {
     Slot site : kSiteBits = kEmptySlot;
-    std::uint32_t count : 3 = 0;  // of sites inserted; stays at kFew + 1 once it got there
+    std::uint32_t count : 3 = 0;  // number of sites inserted; once at kFew + 1, it stays there
   };
 
   /// The row or column of cells at a position, and the one beside it that is closer to the

@@ -43,7 +43,7 @@ class IdPool {
   [[nodiscard]] SiteState state(Slot slot) const {
     return slot < slots_.size() ? static_cast<SiteState>(slots_[slot] >> kShift) : SiteState::kFree;
   }
-  /// Of a slot in use; kNoSite where there are no slots.
+  /// Id of a slot in use; kNoSite beyond the last slot.
   [[nodiscard]] SiteId idOf(Slot slot) const {
     return slot < slots_.size() ? slots_[slot] & kMask : kNoSite;
   }
@@ -184,8 +184,8 @@ class IdPool {
   }
 
  private:
-  // Of a slot: the state in the upper two bits; below, the id, or of a free slot the next free one.
-  // Of an id: the slot, or with the top bit set the next free id.
+  // A slot's word has the state in the upper two bits; below, the id, or in a free slot the next
+  // free one. An id's word is the slot, or with the top bit set the next free id.
   static constexpr unsigned kShift = 30;
   static constexpr std::uint32_t kMask = (std::uint32_t{1} << kShift) - 1;
   static constexpr std::uint32_t kEnd = kMask;

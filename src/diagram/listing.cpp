@@ -107,7 +107,7 @@ void listEdges(const DiagramCore& diagram, EdgeArrays& out) {
   out.sites.clear();
   out.vertices.clear();
   const Graph& graph = diagram.delaunay().graph();
-  FlatArray<std::int32_t> row(graph.faceSlots(), -1);  // of the faces in listVertices()
+  FlatArray<std::int32_t> row(graph.faceSlots(), -1);  // by face: its row in listVertices()
   std::int32_t rows = 0;
   for (const FaceId f : graph.faces()) {
     if (isBounded(graph, f)) row[index(f)] = rows++;

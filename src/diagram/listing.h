@@ -21,7 +21,7 @@ void listNeighbors(const DiagramCore& diagram, SiteId id, std::vector<SiteId>& n
 void listConflict(const DiagramCore& diagram, const Site& site, std::vector<SiteId>& sites,
                   bool& isCovered);
 
-/// Of a list in which sites may be repeated, keeps each where it is first. Cost: O(d).
+/// Removes repeats from a list, and keeps first occurrences. Cost: O(d).
 void keepFirstOccurrences(std::vector<SiteId>& neighbors);
 
 void listVertices(const DiagramCore& diagram, VertexArrays& out);

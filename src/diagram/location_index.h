@@ -78,7 +78,7 @@ class LocationIndex {
   }
 
   [[nodiscard]] const Hierarchy& levels() const { return levels_; }
-  /// The same if they have waited to be made.
+  /// Returns the levels; builds them first if that is due.
   [[nodiscard]] const Hierarchy& filledLevels(const DelaunayGraph& delaunay) const {
     if (areLevelsDue_) buildLevels(delaunay);
     return levels_;

@@ -38,13 +38,13 @@ class NearbyListsBuilder {
     }
   }
 
-  /// Puts the lists into the order of the points. The last call.
+  /// Puts the lists into the order of the points. Must be the last call.
   void finish();
 
  private:
   NearbyLists& lists_;  // its `starts` are counts up to finish()
   bool withDistances_;
-  std::vector<std::uint32_t> begins_;  // of each point's list, in ids_
+  std::vector<std::uint32_t> begins_;  // by point: where its list begins in ids_
   std::vector<SiteId> ids_;
   std::vector<double> distances_;
 };

@@ -30,17 +30,17 @@
 
 namespace apollonius::internal {
 
-/// A set of slots that costs what is put into it, however large the diagram is: open addressing, at
-/// most half full.
+/// A set of slots whose cost depends on its own size, not on that of the diagram: open addressing,
+/// at most half full.
 class SlotSet {
  public:
-  /// Takes all out, and keeps the memory.
+  /// Removes all slots, and keeps the memory.
   void clear() {
     slots_.assign(kLeast, kNoSlot);
     size_ = 0;
   }
 
-  /// Puts it in; was it not there yet? Throws std::bad_alloc.
+  /// Inserts a slot. True if it was not in the set. Throws std::bad_alloc.
   bool insert(Slot slot) {
     if (2 * ++size_ > slots_.size()) grow();
     return write(slot);
@@ -56,14 +56,15 @@ class SlotSet {
   std::size_t size_ = 0;
 };
 
-/// All sites, hidden ones too, in the order of their distance to a point, or those that are not
-/// farther than a limit. The diagram must stay as it is. Cost: one location and O(m log m), m = the
-/// neighbours of the sites found. Calls throw std::bad_alloc, and are not to be repeated then.
+/// Finds all sites, hidden ones too, in the order of their distance to a point, or those that are
+/// not farther than a limit. The diagram must stay as it is. Cost: one location and O(m log m), m =
+/// the neighbours of the sites found. Calls throw std::bad_alloc, and must not be repeated then.
 ///
-/// A surface knows the sites of a diagram by numbers of 32 bits (diagram/plane.h, sphere/nearby.h):
-///   Point                          a place
+/// A surface identifies the sites of a diagram by numbers of 32 bits (diagram/plane.h,
+/// sphere/nearby.h):
+///   Point                          type of a point
 ///   Site, kNone                    the number of a site, or of none
-///   Entry{…, site}                 what puts a site into the order
+///   Entry{…, site}                 a site with its sort key
 ///   nearest(point)                 a nearest site that is visible, or kNone
 ///   entry(point, site), isAfter(point, entry, other)
 ///   isBeyond(point, entry, limit)  is it farther than the limit?
@@ -97,9 +98,9 @@ class NearbySearch {
     return site == kNone ? kNoSite : surface_.idOf(site);
   }
 
-  // These ask about the site that came last.
+  // The calls below are about the site that next() gave last.
 
-  /// Infinite before the first and after the last.
+  /// Its distance; infinite before the first and after the last.
   [[nodiscard]] double distance() const {
     return last_ == kNone ? std::numeric_limits<double>::infinity()
                           : surface_.distance(point_, last_);
@@ -123,7 +124,7 @@ class NearbySearch {
   double maxDistance_ = 0;
   Site last_ = kNone;      // returned last, not followed yet
   FlatArray<Entry> heap_;  // the nearest on top
-  SlotSet seen_;           // of visible sites: a hidden one has one parent
+  SlotSet seen_;           // visible sites only: a hidden one has one parent
   FlatArray<Site> candidates_;
 };
 

@@ -21,15 +21,15 @@ struct Rectangle {
   double xmin, ymin, xmax, ymax;
 };
 
-/// The point of the rectangle that is closest to the centre has coordinates of theirs: so an exact
-/// question about that point decides.
+/// Does a site's circle meet a rectangle? The point of the rectangle closest to the centre has
+/// coordinates of the two, so an exact test of that point decides.
 bool meets(const Site& site, const Rectangle& r) {
   return !isBeyond(std::clamp(site.x, r.xmin, r.xmax), std::clamp(site.y, r.ymin, r.ymax), site, 0);
 }
 
-/// Where a window has no limit, it ends where the circles end: seen from the middle of one that
-/// does not, all sites would be at one distance but for what only exact arithmetic can tell. Cost:
-/// O(length of the hull). REQUIRES: not empty.
+/// Replaces infinite sides of a window by the limits of all circles: seen from the middle of an
+/// immense window, all sites would be at one distance, except for differences that only exact
+/// arithmetic can tell. Cost: O(length of the hull). REQUIRES: not empty.
 Rectangle endingWithCircles(const DiagramCore& diagram, const Rectangle& window) {
   const double far = kLargestMagnitude;
   if (window.xmin > -far && window.ymin > -far && window.xmax < far && window.ymax < far)
@@ -54,17 +54,17 @@ Rectangle endingWithCircles(const DiagramCore& diagram, const Rectangle& window)
           window.ymax < far ? window.ymax : inRange(box.ymax)};
 }
 
-/// About in the middle, and a coordinate that a site might have.
+/// A coordinate that a site might have, near the middle.
 double between(double low, double high) {
   const double middle = low + (high - low) / 2;
   return taken(middle);  // where it is next to 0, they are on both sides of it
 }
 
-/// The window in pieces, of which each asks for the sites around its middle as far as its corners
-/// are, and takes those that meet the window. A piece that gets too many others is cut in two: so
-/// are long windows, down to pieces that are as small as what is around them. Where cutting does
+/// Searches the window in pieces: each lists the sites around its middle up to the distance of its
+/// corners, and takes those that meet the window. A piece that gets too many others is cut in two:
+/// so are long windows, down to pieces as small as the sites' distances there. Where cutting does
 /// not help, because the same sites are next to the border in all pieces (circles that nearly touch
-/// it), soon more others are allowed.
+/// it), more others are soon allowed.
 class WindowSearch {
  public:
   WindowSearch(const DiagramCore& diagram, const Rectangle& window)
@@ -87,7 +87,7 @@ class WindowSearch {
 
   struct Piece {
     Rectangle r;
-    std::size_t allowed;  // of sites that do not meet the window, but for twice those that do
+    std::size_t allowed;  // how many sites may miss the window, besides twice those that meet it
 
     [[nodiscard]] double x() const { return between(r.xmin, r.xmax); }
     [[nodiscard]] double y() const { return between(r.ymin, r.ymax); }

@@ -1,4 +1,4 @@
-// Queries about places: the sites near a point, the circles in a window.
+// Spatial queries: the sites near a point, the circles in a window.
 #pragma once
 
 #include <algorithm>
@@ -18,34 +18,34 @@ namespace apollonius::internal {
 [[nodiscard]] inline SiteId idOrNone(const DiagramCore& diagram, Slot slot) {
   return slot == kNoSlot ? kNoSite : diagram.ids().idOf(slot);
 }
-/// From (x, y) to a site, as a double; infinite for kNoSlot.
+/// The distance from (x, y) to a site, as a double; infinite for kNoSlot.
 [[nodiscard]] inline double distanceTo(const DiagramCore& diagram, Slot slot, double x, double y) {
   return slot == kNoSlot ? std::numeric_limits<double>::infinity()
                          : roundedDistance(x, y, diagram.site(slot));
 }
 
-/// visit(k, hint) for each of the points x, y: its index, and a visible site close to it, or
-/// kNoSlot if a search is better begun from scratch. It returns a visible site near the point. Many
-/// points are visited along a curve, so that what a walk reads is still in the cache. Throws
-/// std::bad_alloc.
+/// Calls visit(k, hint) for each of the points x, y: k is its index, and `hint` a visible site
+/// close to it, or kNoSlot if a search is better begun from scratch. visit() returns a visible site
+/// near the point. Many points are visited along a curve, so that the memory that a walk reads is
+/// still in the cache. Throws std::bad_alloc.
 template <class Visit>
 void visitPoints(const DiagramCore& diagram, std::span<const double> xy, Visit&& visit) {
   const std::size_t sites = diagram.visibleCount(), points = xy.size() / 2;
-  // How many are worth being sorted: few sites are in the cache anyway, and the walk must be
-  // shorter than one from the grid.
+  // The number of points from which on sorting pays: few sites are in the cache anyway, and the
+  // walk must be shorter than one from the grid.
   constexpr std::size_t kSitesInCache = 1 << 13;
   const std::size_t many = sites > kSitesInCache ? 64 : std::max(std::size_t{256}, 8 * sites);
   if (points < many) {
     for (std::size_t k = 0; k < points; ++k) (void)visit(k, kNoSlot);
     return;
   }
-  // In portions, as points that are in the cache are sorted faster; but a portion has more points
-  // than there are sites, so that a walk from one to the next is short.
+  // Sorts in portions, as points in the cache are sorted faster; but a portion has more points than
+  // there are sites, so that a walk from one to the next is short.
   const std::size_t portion = std::max(std::size_t{1} << 14, 4 * sites);
   for (std::size_t begin = 0; begin < points; begin += portion) {
     const std::size_t count = std::min(portion, points - begin);
-    // About √(sites / count) cells are between a point and the next. Where these are few, a walk
-    // starts where the one before ended; else as that of a single point does.
+    // About √(sites / count) cells are between a point and the next. If these are few, a walk
+    // starts where the one before ended; else like that of a single point.
     const bool isDense = count >= sites / 4;
     Slot near = kNoSlot;
     for (const std::uint32_t k : hilbertOrder({xy.subspan(2 * begin, 2 * count), 2}))
@@ -53,7 +53,8 @@ void visitPoints(const DiagramCore& diagram, std::span<const double> xy, Visit&&
   }
 }
 
-/// A site, or kNoSlot if it is farther from (x, y) than a limit, which may be infinite. Exact.
+/// Returns the site, or kNoSlot if it is farther from (x, y) than a limit, which may be infinite.
+/// Exact.
 [[nodiscard]] Slot orNone(const DiagramCore& diagram, Slot slot, double x, double y,
                           double maxDistance);
 

@@ -137,7 +137,7 @@ bool Restoring::readSites() {
   if (header_.hidden > sites || header_.faceSlots >= kNoIndex / 3) return false;
   const std::uint64_t words = wordsFor(slots, idLimit, sites, header_.hidden, header_.faceSlots);
   if (4 * (words + words % 2) != content.size())
-    return false;  // so what is made room for below is in the bytes
+    return false;  // so the room made below is no larger than the bytes
   diagram_.reserve(header_.slots);
   for (Slot slot = 0; slot < slots; ++slot) {
     const double x = in_.number(), y = in_.number(), r = in_.number();
@@ -156,7 +156,7 @@ bool Restoring::readHidden() {
   return words % 2 == 0 || in_.word() == 0;
 }
 
-/// What is in the graph is visible. False if it is a free slot.
+/// Sets the state of all sites in the graph to visible. Returns false if one has a free slot.
 bool DiagramCore::restoreStates() {
   for (Slot slot = 0; slot < ids_.slots(); ++slot) {
     if (!delaunay_.isVisible(vertexOf(slot))) continue;

@@ -166,7 +166,7 @@ bool HilbertSort::advance(std::size_t most) {
       bound(at_ + std::min(most, end - at_));
       if (at_ < end) break;
       if (level_ > 0 && box_.lowX == box_.highX && box_.lowY == box_.highY) {
-        begin_ = end;  // the same point many times
+        begin_ = end;  // all points are equal
         phase_ = Phase::kLooking;
         break;
       }

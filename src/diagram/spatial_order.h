@@ -38,13 +38,14 @@ class HilbertSort {
  public:
   explicit HilbertSort(PointArray points);
 
-  /// Goes on by about this many points, of which each is visited some times; are they sorted?
+  /// Goes on by about this many visits of a point. Returns whether the points are sorted.
   bool advance(std::size_t most);
   /// Indices of the points along the curve. REQUIRES: sorted.
   [[nodiscard]] FlatArray<std::uint32_t> order() const;
 
  private:
-  /// What is done with the points of a cell from at_ on. The first cell is the box of all points.
+  /// The work on a cell, whose points from at_ on are still to be visited. The first cell is the
+  /// box of all points.
   enum class Phase : std::uint8_t { kBounding, kIndexing, kSorting, kLooking, kSorted };
 
   struct Box {
@@ -73,11 +74,11 @@ class HilbertSort {
   std::span<Keyed> entries_, other_;
   std::optional<KeySort> sort_;
   Phase phase_ = Phase::kBounding;
-  std::size_t begin_ = 0;  // of the cell at hand, in entries_
+  std::size_t begin_ = 0;  // where the current cell begins in entries_
   std::size_t at_ = 0;
-  std::size_t level_ = 0;                        // of the cell at hand
-  std::array<std::size_t, kMostLevels> ends_{};  // of the cell at hand and those that it is in, by
-                                                 // level
+  std::size_t level_ = 0;                        // level of the current cell
+  std::array<std::size_t, kMostLevels> ends_{};  // by level: the end of the current cell, and of
+                                                 // those that it is in
   Box box_{};
 };
 

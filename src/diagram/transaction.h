@@ -1,7 +1,8 @@
-// Operations of several steps that either succeed or change nothing: should a step lack memory,
-// those before are undone, last one first, each from what it had led to. So undoing needs what was
-// needed then. Room for the large things, which grow with a site's neighbours, is made step by step
-// (Undo). For the small ones, memory is held back, which is given back first.
+// Operations of several steps that either succeed or change nothing: if a step lacks memory, the
+// steps before it are undone, last one first, each from the state that it had led to. So undoing
+// needs the memory that was needed then. Room for large arrays, which grow with a site's
+// neighbours, is made step by step (Undo). For small ones, memory is held in reserve and freed
+// before undoing.
 #pragma once
 
 #include <cstddef>
@@ -11,13 +12,13 @@
 
 namespace apollonius::internal {
 
-/// May a step have to be undone? Then it first makes the room that takes: undoing needs no memory,
-/// and the levels are left out of it.
+/// May a step have to be undone? Then it first makes the room for that: undoing needs no memory,
+/// and leaves out the levels.
 enum class Undo : bool { kNever, kMaybe };
 
 class Transaction {
  public:
-  /// Before the first step: holds the memory back. Throws std::bad_alloc.
+  /// Reserves the memory; called before the first step. Throws std::bad_alloc.
   void begin() {
     if (!reserve_) reserve_ = std::make_unique_for_overwrite<std::byte[]>(kReserve);
   }
@@ -29,7 +30,7 @@ class Transaction {
     wayBack();
     index.endUndo();
   }
-  /// Runs steps(). If that throws, wayBack() undoes what has been done, and it is thrown on.
+  /// Runs steps(). If that throws, wayBack() undoes the steps done, and the exception is rethrown.
   /// REQUIRES: begin().
   template <class Steps, class WayBack>
   void run(LocationIndex& index, Steps&& steps, WayBack&& wayBack) {

@@ -41,8 +41,8 @@ bool DiagramCore::coversChildren(Slot slot, const Site& to) const {
   return true;
 }
 
-/// Of a hidden site: does its parent cover it there, too? No is also said where the parent is not
-/// to be found quickly.
+/// Does a hidden site's parent cover it at `to`, too? Also returns false if the parent cannot be
+/// found quickly.
 bool DiagramCore::staysBelow(Slot slot, const Site& to) const {
   const Slot parent = hidden_.isChild(slot) ? hidden_.parentIfNear(slot) : HiddenForest::kNone;
   return parent != HiddenForest::kNone && mayHang(slot, to, parent, site(parent));
@@ -116,7 +116,7 @@ void DiagramCore::updateMany(std::span<const SiteId> ids, std::span<const double
       rollbackInsertion(slot);
       rollbackRemoval(slot, before[order[done]]);
     }
-    // What is not where it was now has moved together with others, and goes back so.
+    // Sites that are not back by now have moved together with others, and go back together.
     moves_.clear();
     for (const std::size_t k : order) {
       const Slot slot = ids_.slotOf(ids[k]);

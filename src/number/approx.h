@@ -73,14 +73,14 @@ inline constexpr double kLargestInput = powerOfTwo(33);
 /// Where kLargestInput is kept, underflow moves no formula by more than this.
 inline constexpr double kUnderflow = powerOfTwo(-690);
 
-/// Of a formula with this many roundings: its error is at most this times the computed magnitude
-/// (Higham's γ, with room for the roundings of the magnitude).
+/// Error factor of a formula with this many roundings: its error is at most this times the computed
+/// magnitude (Higham's γ, with room for the roundings of the magnitude).
 constexpr double errorFactor(Roundings roundings) {
   return roundings.count * kUnitRoundoff * (1 + powerOfTwo(-40));
 }
 
-/// What a filter can say: a sign, or that it does not know. A sum of exact zeros is left to the
-/// caller as unknown.
+/// The answer of a filter: a sign, or unknown. A sum of exact zeros is unknown and left to the
+/// caller.
 struct MaybeSign {
   Sign sign = Sign::kZero;
   bool known = false;

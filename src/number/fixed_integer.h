@@ -64,7 +64,7 @@ class FixedInteger {
 
   std::uint32_t limbs_[kLimbs];  // least significant first; only the first size_ mean something
   int size_ = 0;
-  bool isNegative_ = false;  // of zero, either
+  bool isNegative_ = false;  // arbitrary for zero
 };
 
 inline Sign signOf(const FixedInteger& x) { return x.sign(); }

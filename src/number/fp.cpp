@@ -2,7 +2,7 @@
 
 #ifndef __wasm__
 
-// The operands are volatile, or the compiler would compute all this itself, and rightly.
+// The operands are volatile, or the compiler would evaluate all this itself, and correctly.
 const char* apollonius::internal::arithmeticViolation() {
   const volatile double one = 1;
   const volatile double little = powerOfTwo(-54), more = 3 * powerOfTwo(-54);
@@ -16,7 +16,7 @@ const char* apollonius::internal::arithmeticViolation() {
            "FTZ or DAZ";
 
   const volatile double factor = 1 + powerOfTwo(-30);
-  const volatile double square = 1 + powerOfTwo(-29);  // of the factor, rounded
+  const volatile double square = 1 + powerOfTwo(-29);  // factor², rounded
   const double a = factor, b = square;
   if (a * a - b != 0)
     return "multiplication and addition are contracted: compile with -ffp-contract=off";

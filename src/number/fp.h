@@ -1,4 +1,4 @@
-// What the library assumes of `double`, and powers of two.
+// The library's assumptions about `double`, and powers of two.
 //
 // Only + - * / and sqrt are used (correctly rounded to nearest, subnormals kept), contraction is
 // off in every build, so that native code and WebAssembly give the same bits. Directed rounding,
@@ -21,10 +21,10 @@ static_assert(std::numeric_limits<double>::is_iec559 && std::numeric_limits<doub
 #error "results of more than 53 bits break the error bounds: compile with -msse2 -mfpmath=sse"
 #endif
 
-/// What is wrong with arithmetic as this program runs, in words, or null: contraction, which no
-/// macro tells of, if all was compiled without the flags of cmake/CompileFlags.cmake;
-/// subnormals flushed to zero, as a program does that is linked with -ffast-math; another direction
-/// of rounding. WebAssembly has none of them.
+/// A description of what is wrong with floating-point arithmetic in this program, or null:
+/// contraction, which no macro reveals, if everything was compiled without the flags of
+/// cmake/CompileFlags.cmake; subnormals flushed to zero, as in a program linked with -ffast-math;
+/// another direction of rounding. WebAssembly has none of these.
 #ifdef __wasm__
 constexpr const char* arithmeticViolation() { return nullptr; }
 #else
@@ -46,7 +46,7 @@ struct Decomposed {
   int exponent;
 };
 
-/// The only code that depends on how a double keeps its digits.
+/// Takes a double apart: the only code that depends on its representation.
 constexpr Decomposed decompose(double x) {
   const auto bits = std::bit_cast<std::uint64_t>(x);
   const int biased = static_cast<int>((bits >> 52) & 0x7FF);

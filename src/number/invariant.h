@@ -1,12 +1,12 @@
-// What must hold if the code is right, whatever the user's data: a broken one ends the program with
-// its name. Never used to check arguments.
+// Invariants: conditions that hold if the code is right, whatever the user's data. A broken one
+// ends the program with its name. Never used to check arguments.
 #pragma once
 
 #include <cstdlib>
 
 namespace apollonius::internal {
 
-/// Tells whoever runs the program: on stderr, or on JavaScript's console.
+/// Reports the name on stderr, or on JavaScript's console.
 void reportBrokenInvariant(const char* name);
 
 inline void invariant(bool holds, const char* name) {

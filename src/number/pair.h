@@ -1,6 +1,6 @@
-// Two doubles computed with at once: SSE2 and WebAssembly's SIMD have instructions for them. Each
-// of + - * / and sqrt rounds as it does for one double, so results are the same bits as computed
-// one by one.
+// Pairs of doubles, computed with at once: SSE2 and WebAssembly's SIMD have instructions for them.
+// Each of + - * / and sqrt rounds as for one double, so the results have the same bits as if
+// computed one by one.
 #pragma once
 
 #include <bit>
@@ -12,7 +12,7 @@ namespace apollonius::internal {
 
 // Vector types are an extension that g++ and clang++ share.
 using Pair __attribute__((vector_size(16))) = double;
-/// What comparisons of Pairs yield: all bits or none.
+/// Result of a comparison of Pairs: all bits or none, for each number.
 using PairMask __attribute__((vector_size(16))) = std::int64_t;
 
 inline Pair pairOf(double x) { return Pair{x, x}; }
@@ -22,8 +22,8 @@ inline Pair loadPair(const double* from) {
   return pair;
 }
 
-/// Of four numbers, two in each: the first and the third, the second and the last, the two in the
-/// middle.
+/// Select two of the four numbers in two pairs: the first and the third, the second and the fourth,
+/// the second and the third.
 inline Pair firsts(Pair a, Pair b) { return __builtin_shufflevector(a, b, 0, 2); }
 inline Pair seconds(Pair a, Pair b) { return __builtin_shufflevector(a, b, 1, 3); }
 inline Pair middles(Pair a, Pair b) { return __builtin_shufflevector(a, b, 1, 2); }
@@ -37,7 +37,7 @@ inline bool areBoth(PairMask mask) {
 #endif
 }
 
-// Where there is a builtin, WebAssembly gets one instruction for it.
+// If there is a builtin, WebAssembly gets one instruction for it.
 inline Pair absolute(Pair x) {
 #if __has_builtin(__builtin_elementwise_abs)
   return __builtin_elementwise_abs(x);
@@ -57,7 +57,7 @@ inline Pair root(Pair x) {
 #endif
 }
 
-/// Each as a float, which is infinite beyond their range, with `other` as another one behind it.
+/// Each number as a float, infinite beyond the range of floats, followed by `other`.
 inline Pair floatsBefore(Pair x, float other) {
   using Floats __attribute__((vector_size(8))) = float;
   return std::bit_cast<Pair>(__builtin_shufflevector(__builtin_convertvector(x, Floats),

@@ -6,7 +6,7 @@ namespace apollonius::internal {
 
 namespace {
 
-/// What is lost of x y rounded to `product`: from the two halves of each factor.
+/// Rounding error of `product`, which is x y rounded: computed from the two halves of each factor.
 double lostOfProduct(double x, double y, double product) {
   const auto upper = [](double v) {
     const double shifted = v * (powerOfTwo(27) + 1);
@@ -16,7 +16,7 @@ double lostOfProduct(double x, double y, double product) {
   return x2 * y2 - (((product - x1 * y1) - x2 * y1) - x1 * y2);
 }
 
-/// What is lost of x + y rounded to `sum`.
+/// Rounding error of `sum`, which is x + y rounded.
 double lostOfSum(double x, double y, double sum) {
   const double added = sum - x;
   return (x - (sum - added)) + (y - added);
@@ -46,14 +46,14 @@ Twofold operator*(const Twofold& a, const Twofold& b) {
   return normalized(product.value, product.rest + (a.value * b.rest + a.rest * b.value));
 }
 
-/// The quotient in doubles, and what is left of a, divided.
+/// Adds to the quotient in doubles the remainder, divided.
 Twofold operator/(const Twofold& a, const Twofold& b) {
   const double quotient = a.value / b.value;
   const Twofold left = a - b * quotient;
   return normalized(quotient, left.value / b.value);
 }
 
-/// Likewise.
+/// Adds to the root in doubles the remainder, divided by twice the root.
 Twofold root(const Twofold& a) {
   const double rooted = std::sqrt(a.value);
   const Twofold left = a - productOf(rooted, rooted);

@@ -1,7 +1,8 @@
 // Twofold: a number as the unevaluated sum of two doubles, with twice the digits. Not exact, but
-// each operation is off by less than half of kTwofoldRoundoff of its result, if nothing overflows
+// the relative error of each operation is less than half of kTwofoldRoundoff, if nothing overflows
 // and no part is subnormal (Dekker 1971; Joldes, Muller and Popescu 2017 derive 3 times 2^-106 for
-// such sums and 7 for products; a quotient and a root here are a product and roundings off, 12).
+// such sums and 7 for products; a quotient and a root here add a few roundings to a product, in all
+// 12).
 #pragma once
 
 #include "number/fp.h"
@@ -19,13 +20,13 @@ struct Twofold {
   Twofold(double x, double y) : value(x), rest(y) {}
 };
 
-// Not inline: each formula would have its own copies, several kilobytes of the WebAssembly module.
-/// Exact.
+// Not inline: each formula would get its own copies, several kilobytes of the WebAssembly module.
+/// The exact product.
 Twofold productOf(double x, double y);
 Twofold operator+(const Twofold& a, const Twofold& b);
 Twofold operator*(const Twofold& a, const Twofold& b);
 Twofold operator/(const Twofold& a, const Twofold& b);
-/// Of a positive number.
+/// Square root. REQUIRES: a > 0.
 Twofold root(const Twofold& a);
 
 inline Twofold operator-(const Twofold& a) { return {-a.value, -a.rest}; }

@@ -1,4 +1,4 @@
-// On which side is a ray from a site, seen along the direction of a Voronoi vertex?
+// On which side of the direction of a Voronoi vertex is a ray from a site?
 #pragma once
 
 #include "number/approx.h"
@@ -8,12 +8,12 @@
 
 namespace apollonius::internal {
 
-/// Where a ray lies as seen along a direction.
+/// Position of a ray as seen along a direction.
 enum class Bearing : signed char { kAlong, kLeft, kOpposite, kRight };
 
-/// Of the ray from the centre of i through (x, y), seen along the direction from that centre to the
-/// vertex of the face (i, j, k). `circle` is the face's cached circle, which is asked first.
-/// REQUIRES: a face of a diagram, i finite, (x, y) not the centre. Degree 8.
+/// The bearing of the ray from the centre of i through (x, y), seen along the direction from that
+/// centre to the vertex of the face (i, j, k). `circle` is the face's cached circle, for the first
+/// filter. REQUIRES: a face of a diagram, i finite, (x, y) not the centre. Degree 8.
 [[nodiscard]] Bearing bearingOf(double x, double y, const VoronoiCircle& circle, const Site& i,
                                 Corner j, Corner k);
 

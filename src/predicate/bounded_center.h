@@ -1,5 +1,5 @@
 // The centre of the Voronoi circle of three finite sites, with a bound on its error: over double
-// for the circles that are kept with faces, over Twofold where those are too far off.
+// for the circles that are kept with faces, over Twofold where those are not accurate enough.
 #pragma once
 
 #include <algorithm>
@@ -11,19 +11,19 @@
 
 namespace apollonius::internal {
 
-/// What a computation in rounded numbers has found out about the existence of a circle.
+/// Does a circle exist, as far as a computation in rounded numbers tells?
 enum class Existence : unsigned char { kYes, kNo, kUnknown };
 
 /// Seen from the reference site, in units of the rows: the centre, its distance rho from there, and
-/// by how much the three of them together are off at most.
+/// a bound of the errors of these three numbers together.
 template <class Number>
 struct BoundedCenter {
   Number x, y, rho;
   double error = 0;
 };
 
-/// Is the first double of a sum of two twofold numbers certainly the one nearest to what it stands
-/// for? One of the two is off by the error, and the sum is rounded.
+/// Is the first double of a sum of two twofold numbers certainly the one nearest to the exact sum?
+/// One of the two has the error given, and the sum is rounded.
 inline bool isRounded(const Twofold& sum, double error) {
   const double all = error + kTwofoldRoundoff * absolute(sum.value);
   return sum.value + (sum.rest + all) == sum.value && sum.value + (sum.rest - all) == sum.value;
@@ -34,17 +34,18 @@ inline double valueOf(const Twofold& x) { return x.value; }
 inline double rootOf(double x) { return std::sqrt(x); }
 inline Twofold rootOf(const Twofold& x) { return root(x); }
 
-/// From the rows j and k of a counter-clockwise triple, and the row from j to k. The bound holds if
-/// the answer is kYes. The circle exists exactly if the denominator below is positive.
+/// Finds the centre from the rows j and k of a counter-clockwise triple, and the row from j to k.
+/// The bound holds if the answer is kYes. The circle exists exactly if the denominator below is
+/// positive.
 ///
 /// Direction of the vertex from the reference site: n (cos, sin) = (a, b) with
 ///     a = v √D - w u,  b = -u √D - w v,
 /// where (u, v, w) = chordOf(j, k), n = u² + v² and D = p_jk p_j p_k = n - w². Its distance from
 /// there is rho = n f with f = p_j / (2 den), den = a x_j + b y_j + n r_j; docs/PREDICATES.md.
 ///
-/// Bound, to first order in u (here what one operation is off by, as a share of its result), e_X
-/// being the error of X, l the largest of |x|, |y|, |r|, m = x² + y² + r², which the roundings in p
-/// are relative to (5u m, number/approx.h), and g = |u| + |v| >= √n >= |w|, √D:
+/// Bound, to first order in u (here the relative error of one operation), e_X being the error of X,
+/// l the largest of |x|, |y|, |r|, m = x² + y² + r², to which the roundings in p are relative (5u
+/// m, number/approx.h), and g = |u| + |v| >= √n >= |w|, √D:
 ///
 ///     e_c     = 9u (l_k m_j + l_j m_k)       of u, v, w: 8 roundings
 ///     e_root  = √D (3u + 2.5u (m_jk/p_jk + m_j/p_j + m_k/p_k))
@@ -56,9 +57,9 @@ inline Twofold rootOf(const Twofold& x) { return root(x); }
 ///     e_f/f   = 5u m_j/p_j + e_den/den + 3u
 ///     x, y, rho:                             f (2 e_ab + e_n) + 3 rho (e_f/f + 2u)
 ///
-/// Products of errors are smaller than the terms above by the largest relative error, which is
-/// demanded to be at most 2^-10; the roundings in the bound itself are fewer than 2^6, a 2^-46th. A
-/// factor of 1 + 2^-5, which is the caller's, covers both.
+/// Products of errors are smaller than the terms above by the largest relative error, which must be
+/// at most 2^-10; the bound itself has fewer than 2^6 roundings, a relative error of 2^-46. A
+/// factor of 1 + 2^-5, which the caller applies, covers both.
 template <class Number>
 Existence findCenter(const Row<Number>& j, const Row<Number>& k, const Row<Number>& jk,
                      BoundedCenter<Number>& center) {
@@ -93,8 +94,9 @@ Existence findCenter(const Row<Number>& j, const Row<Number>& k, const Row<Numbe
   const double eN = g * (2 * eChord + 3 * u1 * g);
   const double relativeDen = lj * (2 * eAb + eN + 10 * u1 * g * g) / valueOf(denominator);
   constexpr double kLargestRelative = powerOfTwo(-10);
-  // Written so that NaN, negative p (a rounded cover), and a denominator that may be 0 end here,
-  // too. The last is for underflow: chords of normal size keep every product normal.
+  // Written so that NaN, negative p (a cover by rounding), and a denominator that may be 0 are
+  // unknown, too. The last condition is for underflow: chords of normal size keep every product
+  // normal.
   const bool isCertain = eChord * g <= kLargestRelative * valueOf(n) &&
                          relativeD <= kLargestRelative &&
                          absolute(relativeDen) <= kLargestRelative && pjk > 0 && pj > 0 && pk > 0 &&
@@ -106,7 +108,7 @@ Existence findCenter(const Row<Number>& j, const Row<Number>& k, const Row<Numbe
   return Existence::kYes;
 }
 
-// Once, in bounded_center.cpp: it is large, and not for where speed counts.
+// Instantiated once, in bounded_center.cpp: it is large, and speed does not matter there.
 extern template Existence findCenter(const Row<Twofold>& j, const Row<Twofold>& k,
                                      const Row<Twofold>& jk, BoundedCenter<Twofold>& center);
 

@@ -1,5 +1,5 @@
-// The Voronoi circles of many faces that come one by one: collected in blocks, of which CircleFan
-// computes two circles at a time.
+// The Voronoi circles of many faces that are added one by one: collects them in blocks, in which
+// CircleFan computes two circles at a time.
 #pragma once
 
 #include <array>
@@ -12,14 +12,14 @@ namespace apollonius::internal {
 
 inline constexpr std::size_t kCircleBatch = 64;
 
-/// `take(face, circle)` is called for each face added, in their order, at the latest by finish().
-/// `face` is whatever the caller knows it by; the circle is as of CircleFan::computeFaces.
+/// Calls take(face, circle) for each face added, in their order, at the latest in finish(). `face`
+/// is the caller's number for it; the circle is that of CircleFan::computeFaces.
 template <class Take>
 class CircleBatch {
  public:
   explicit CircleBatch(Take take) : take_(take) {}
 
-  /// Of three finite sites.
+  /// Adds a face. REQUIRES: three finite sites.
   void add(std::uint32_t face, const std::array<Corner, 3>& corners) {
     faces_[count_] = face;
     corners_[count_] = corners;

@@ -1,4 +1,4 @@
-// The Voronoi circle of one face. Those of many at once: circle_fan.h.
+// The Voronoi circle of one face. For many at once: circle_fan.h.
 #pragma once
 
 #include "predicate/site.h"
@@ -6,16 +6,16 @@
 
 namespace apollonius::internal {
 
-/// The circle of a counter-clockwise face with an existing circle. The same bits for the same three
-/// sites, whichever comes first and on whichever platform: the computation starts from the largest
-/// site in the order of precedes().
+/// Computes the circle of a counter-clockwise face with an existing circle. The same three sites
+/// give the same bits, whichever comes first and on any platform: the computation starts from the
+/// largest site in the order of precedes().
 [[nodiscard]] VoronoiCircle voronoiCircle(Corner i, Corner j, Corner k);
 
-/// The circle as voronoiCircle() computes it, if the counter-clockwise triple of sites has one; at
-/// most one of them is infinite, and none covers another. Returns whether it has.
+/// Computes the circle as voronoiCircle() does, if the counter-clockwise triple of sites has one;
+/// false otherwise. REQUIRES: at most one of them is infinite, and none covers another.
 [[nodiscard]] bool findVoronoiCircle(Corner i, Corner j, Corner k, VoronoiCircle& circle);
 
-/// The same in doubles alone: true only if they show that there is a circle.
+/// Computes the circle in doubles alone: true only if they show that there is one.
 [[nodiscard]] bool findCertainVoronoiCircle(Corner i, Corner j, Corner k,
                                             VoronoiCircle& circle) noexcept;
 

@@ -129,7 +129,7 @@ namespace {
 bool probeIsInRange(EdgeCorners e, const VoronoiCircle* atK, const VoronoiCircle* atL,
                     const Site& q, stages::Probe probe) {
   using stages::counts;
-  if (isBetterReference(e.j, e.i)) {  // the same edge seen from its other side
+  if (isBetterReference(e.j, e.i)) {  // the edge from its other side
     e = {e.j, e.i, e.l, e.k};
     std::swap(atK, atL);
   }

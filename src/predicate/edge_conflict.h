@@ -1,4 +1,4 @@
-// Which part of a Voronoi edge is a site in conflict with, if it has the same state at both ends?
+// With which part of a Voronoi edge is a site in conflict, if it has the same state at both ends?
 #pragma once
 
 #include "number/approx.h"
@@ -17,24 +17,25 @@ struct EdgeCorners {
   Corner i, j, k, l;
 };
 
-/// With neither end of the edge in conflict with q: is its interior?
+/// Is the interior of the edge in conflict with q, while neither end is?
 /// REQUIRES: as isVertexInConflict for both ends, which are not in conflict. Degree 12.
 [[nodiscard]] bool isInteriorInConflict(const EdgeCorners& edge, const Site& q);
 
-/// With both ends of the edge in conflict with q: is all of it?
+/// Is all of the edge in conflict with q, as both ends are?
 /// REQUIRES: as isVertexInConflict for both ends, which are in conflict. Degree 12.
 [[nodiscard]] bool isEntireEdgeInConflict(const EdgeCorners& edge, const Site& q);
 
-/// The same, asking the cached circles of the edge's faces (i, j, k) and (j, i, l) first.
+/// As above, with the cached circles of the edge's faces (i, j, k) and (j, i, l) for a first
+/// filter.
 [[nodiscard]] bool isInteriorInConflict(const EdgeCorners& edge, const VoronoiCircle& atK,
                                         const VoronoiCircle& atL, const Site& q);
 [[nodiscard]] bool isEntireEdgeInConflict(const EdgeCorners& edge, const VoronoiCircle& atK,
                                           const VoronoiCircle& atL, const Site& q);
 
-/// A quick yes to "is all of the edge in conflict?", which is the answer to nearly all that an
-/// insertion asks. True only if no part of the edge between i and j is nearer to them than to q;
-/// false says nothing. REQUIRES: both ends of the edge, the vertices of atK and atL, are in
-/// conflict with q; i and j are finite. About forty flops.
+/// A quick yes to "is all of the edge in conflict?", which is the answer in nearly all cases of an
+/// insertion. True only if no part of the edge between i and j is nearer to them than to q; false
+/// says nothing. REQUIRES: both ends of the edge, the vertices of atK and atL, are in conflict with
+/// q; i and j are finite. About forty flops.
 ///
 /// Seen from the larger of i and j, the directions in conflict form an arc with the middle M
 /// (chordOf), and those of the edge a range of at most half a turn, between the directions k and l
@@ -60,8 +61,8 @@ inline bool isSurelyInConflictBetweenEnds(const Site& i, const Site& j, const Vo
                lj = absolute(jx) + absolute(jy) + absolute(jr);
   const double e = 9 * u1 * (lq * (jxy + jrr) + lj * (qxy + qrr));
   const double m = absolute(mx) + absolute(my);
-  // Underflow: the scalar products are above it, or the answer is false; what smaller products lose
-  // is then below the bound.
+  // Underflow: the scalar products are above it, or the answer is false; the loss of smaller
+  // products is then below the bound.
   if (atK.isHalfPlane() || atL.isHalfPlane() || !(m * u1 > powerOfTwo(-900))) return false;
   const Pair centreK = loadPair(&atK.x), centreL = loadPair(&atL.x);
   const Pair x = firsts(centreK, centreL) - reference.x,
@@ -79,10 +80,11 @@ namespace stages {
 /// opposite (both ends in conflict).
 enum class Probe : signed char { kMiddle = 1, kOpposite = -1 };
 
-// Of all of these: positive, the direction is strictly within the range; zero or negative, it is
-// not. i is finite, and the larger of i and j if both are; q covers neither.
+// For all of these: positive means that the direction is strictly within the range; zero or
+// negative that it is not. REQUIRES: i is finite, and the larger of i and j if both are; q covers
+// neither.
 
-/// The directions of the edge's ends are those of the cached circles of (i, j, k) and (j, i, l).
+/// Takes the directions of the edge's ends from the cached circles of (i, j, k) and (j, i, l).
 [[nodiscard]] MaybeSign edgeCircleFilter(const Site& i, Corner j, const VoronoiCircle& atK,
                                          const VoronoiCircle& atL, const Site& q, Probe probe);
 /// In doubles with an error bound.

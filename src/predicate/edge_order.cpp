@@ -31,7 +31,7 @@ MaybeSign shadowTurnFilter(const Site& i, const Site& j, const Site& l, const Si
 }
 
 Sign shadowTurnExact(const Site& i, const Site& j, const Site& l, const Site& k) {
-  // So seldom asked that shorter numbers would only be more code.
+  // Needed so seldom that a stage of shorter numbers would only be more code.
   return decide<ExactKernel>(i, {&j, &l, &k}, kShadowTurnDecision).sign;
 }
 
@@ -51,16 +51,16 @@ bool haveEqualWeights(const EdgeCorners& e) {
   return e.i->r == e.j->r && e.j->r == e.k->r && e.k->r == e.l->r;
 }
 
-/// The turn from the end at l to the end at k, both of them finite; known only if they are apart in
-/// doubles. Negative: they come in the wrong order.
+/// The turn from the end at l to the end at k, both of them finite; known only if doubles tell them
+/// apart. Negative: they come in the wrong order.
 MaybeSign turnAlong(const EdgeCorners& e, const VoronoiCircle& atK, const VoronoiCircle& atL) {
   return turn(directionOf(atL, *e.i), directionOf(atK, *e.i));
 }
 
-/// i is the larger site, and finite as j is.
+/// REQUIRES: i is the larger site, and both are finite.
 bool isBoundedDelaunayEdge(const EdgeCorners& e) {
-  // The upper end of the bisector, at the vertex (i, j, infinity), and the lower one: is the site's
-  // shadow cut off there?
+  // Is a site's shadow cut off at the upper end of the bisector, the vertex (i, j, infinity), or at
+  // the lower one?
   const auto reachesUpperEnd = [&](const Site& q) {
     return isVertexInConflict(e.i, e.j, nullptr, q);
   };
@@ -70,13 +70,13 @@ bool isBoundedDelaunayEdge(const EdgeCorners& e) {
   if (e.k == e.l) return e.k == nullptr || reachesUpperEnd(*e.k);
   if (e.l != nullptr && isVertexInConflict(e.i, e.j, e.k, *e.l)) return false;
   if (e.k != nullptr && isVertexInConflict(e.j, e.i, e.l, *e.k)) return false;
-  // With equal weights shadows are half a turn, which no arc cuts off at both ends.
+  // With equal weights a shadow is half a turn, which no arc cuts off at both ends.
   if (e.k == nullptr || e.l == nullptr || haveEqualWeights(e)) return true;
   if (reachesUpperEnd(*e.k) || reachesLowerEnd(*e.l)) return true;
   return turnBetweenShadows(*e.i, *e.j, *e.l, *e.k) == Sign::kPositive;
 }
 
-/// The site i with infinity.
+/// REQUIRES: j is infinity.
 bool isDelaunayEdgeAtInfinity(const EdgeCorners& e) {
   return e.k == e.l || !isVertexInConflict(e.i, nullptr, e.k, *e.l);
 }
@@ -85,20 +85,19 @@ bool isDelaunayEdgeAtInfinity(const EdgeCorners& e) {
 
 bool isDelaunayEdge(EdgeCorners e, const VoronoiCircle& circleAtK, const VoronoiCircle& circleAtL) {
   const VoronoiCircle *atK = &circleAtK, *atL = &circleAtL;
-  if (isBetterReference(e.j, e.i)) {  // the same edge seen from its other side
+  if (isBetterReference(e.j, e.i)) {  // the edge from its other side
     e = {e.j, e.i, e.l, e.k};
     std::swap(atK, atL);
   }
   if (e.j == nullptr) {
-    // An edge of positive length is in order if the hull turns once, which is for others to find
-    // out.
+    // An edge of positive length is in order if the hull turns once, which the caller checks.
     return (e.k != e.l && turnAlong(e, *atK, *atL).known) || isDelaunayEdgeAtInfinity(e);
   }
   if (e.k != nullptr && e.l != nullptr && e.k != e.l) {
     const MaybeSign order = turnAlong(e, *atK, *atL);
     if (order.known) {
-      // (Of a right order, the other way may know a conflict that does not belong to
-      // a Delaunay graph.)
+      // (If the order is right, isBoundedDelaunayEdge() may still find a conflict that does not
+      // belong to a Delaunay graph.)
       const bool isRight = order.sign == Sign::kPositive;
       if (!isRight)
         shadowCheck(order,

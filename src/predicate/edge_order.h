@@ -1,5 +1,5 @@
-// Do an edge and its two faces belong to a Delaunay graph? For proofs that a graph is one, which
-// may be any other's. Why it is decided so: docs/PREDICATES.md, "Order along an edge".
+// Do an edge and its two faces belong to a Delaunay graph? For proofs that a graph of any origin is
+// one. Why it is decided so: docs/PREDICATES.md, "Order along an edge".
 #pragma once
 
 #include "number/approx.h"
@@ -10,17 +10,17 @@
 
 namespace apollonius::internal {
 
-/// Is the edge that of a Delaunay graph, as far as its two faces can tell: do its ends come in
-/// their order along the bisector, and where they coincide, has the canonical rule chosen this
-/// diagonal? Of an edge with infinity only the latter: the order of its ends is for all of the hull
-/// to tell. A false answer is a proof; if all edges, the circles of all faces, and the hull are
-/// right, so is the graph. REQUIRES: both faces have circles, which are given, and in each face no
-/// site covers another. Degree 8.
+/// Is the edge that of a Delaunay graph, as far as its two faces tell: do its ends come in the
+/// right order along the bisector, and where they coincide, is this the diagonal of the canonical
+/// rule? For an edge with infinity only the latter is tested: the order of its ends follows from
+/// the whole hull. A false answer is a proof; if all edges, the circles of all faces, and the hull
+/// are right, so is the graph. REQUIRES: both faces have circles, which are given, and in each face
+/// no site covers another. Degree 8.
 [[nodiscard]] bool isDelaunayEdge(EdgeCorners edge, const VoronoiCircle& atK,
                                   const VoronoiCircle& atL);
 
-/// On the bisector of i and j, seen from i: the turn from the middle of l's shadow to that of k's.
-/// i is larger than j; none of the four covers i or j. Degree 6.
+/// The turn from the middle of l's shadow to that of k's on the bisector of i and j, seen from i.
+/// REQUIRES: i is larger than j; none of the four covers i or j. Degree 6.
 [[nodiscard]] Sign turnBetweenShadows(const Site& i, const Site& j, const Site& l, const Site& k);
 
 namespace stages {

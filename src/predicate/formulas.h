@@ -104,10 +104,10 @@ struct EdgeForm {
   }
 };
 
-/// Unbounded edges: from what the turn between the half-planes (l, i) and (i, k) is found (span.h).
+/// Unbounded edges: the terms for the turn between the half-planes (l, i) and (i, k) (span.h).
 template <class T>
 struct SpanForm {
-  T cross, dot;  // of the centres: degree 2
+  T cross, dot;  // products of the centres: degree 2
   T weights;     // r_l r_k: degree 2
   T tangents;    // p_l p_k: degree 4
 

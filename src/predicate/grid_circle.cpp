@@ -10,12 +10,12 @@ namespace apollonius::internal {
 
 namespace {
 
-/// The centre and its distance from the reference site, in units: x, y, rho. Each is off by less
-/// than 4 kTwofoldRoundoff of itself.
+/// The centre and its distance from the reference site, in units: x, y, rho. The relative error of
+/// each is less than 4 kTwofoldRoundoff.
 using Center = std::array<Twofold, 3>;
 
-/// Of equal weights: quotients of integers. With rows j and k, `over` and `twice` are those of the
-/// centre seen from the reference site at (x, y), below 2^53 each.
+/// The centre for equal weights: its coordinates seen from the reference site at (x, y) are
+/// quotients of integers, `over` / `twice`, below 2^53 each.
 Center centerOfPoints(double x, double y, const Row<double>& j, const Row<double>& k) {
   const double twice = 2 * (j.x * k.y - j.y * k.x);
   const double overX = j.p * k.y - k.p * j.y, overY = k.p * j.x - j.p * k.x;

@@ -1,11 +1,11 @@
-// Kernels: what the stages of one predicate differ by. A kernel holds the rows of differences to a
-// reference site in one kind of number, and turns a number into a sign; everything else is one
-// template in the predicate's file. Here those in doubles, and `decide`; those in longer numbers
-// are in long_kernels.h. Each has
-//     Number               what it computes with
+// Kernels: the parts in which the stages of one predicate differ. A kernel holds the rows of
+// differences to a reference site in one kind of number, and turns a number into a sign; everything
+// else is one template in the predicate's file. Here are the kernels in doubles, and `decide`;
+// those in longer numbers are in long_kernels.h. Each has
+//     Number               type of its numbers
 //     row(k)               the k-th corner
-//     hasEqualWeights()    of all finite sites
-//     sign(x, roundings)   of a formula's value; `roundings` are the formula's
+//     hasEqualWeights()    have all finite sites the same weight?
+//     sign(x, roundings)   sign of a formula's value; `roundings` are the formula's
 //     failed()             was a sign uncertain, or are these sites beyond this kernel?
 #pragma once
 
@@ -89,7 +89,7 @@ class FilterKernel {
   bool failed_ = false;
 };
 
-/// Of rows that are exact.
+/// REQUIRES: exact rows.
 template <class T>
 bool haveEqualWeights(const std::array<Row<T>, 4>& rows) {
   return std::all_of(rows.begin(), rows.end(),
@@ -145,8 +145,8 @@ struct Differences {
   }
 };
 
-/// A number that is a double if it is known to be exact. `magnitude` is that of the value, or at
-/// least 2^53 and a bound on all that the value was made of.
+/// A double that is known to be exact or not. `magnitude` is that of the value, or, if inexact, at
+/// least 2^53 and a bound on the magnitudes of all operands.
 struct ExactDouble {
   double value = 0;
   double magnitude = 0;
@@ -175,8 +175,8 @@ struct ExactDouble {
   constexpr ExactDouble(double v, double m) : value(v), magnitude(m < kLargest ? absolute(v) : m) {}
 };
 
-/// First middle stage: where the coordinates are small multiples of one power of two (grids,
-/// integers, quarters), doubles in that unit compute exactly, and zeros are known to be zeros.
+/// First middle stage: if the coordinates are small multiples of one power of two (grids, integers,
+/// quarters), doubles in that unit compute exactly, and zeros are known to be zeros.
 class UnitKernel {
  public:
   using Number = ExactDouble;
@@ -207,8 +207,8 @@ class UnitKernel {
   bool failed_ = false;
 };
 
-/// The answer of a stage: `decision` asks the kernel of the reference site and the corners for the
-/// signs that it needs.
+/// The answer of a stage: `decision` takes the signs that it needs from the kernel of the reference
+/// site and the corners.
 template <class Kernel, class Decision>
 MaybeSign decide(const Site& reference, std::initializer_list<Corner> corners,
                  const Decision& decision) {

@@ -24,7 +24,7 @@ namespace {
 
 using Rounded = Dyadic::Rounded;
 
-/// x 2^exponent; infinite or 0 where that is beyond doubles.
+/// x 2^exponent; infinite or 0 if that is beyond doubles.
 double scaled(double x, int exponent) {
   for (; exponent > 1000 && absolute(x) <= std::numeric_limits<double>::max(); exponent -= 1000)
     x *= powerOfTwo(1000);
@@ -34,7 +34,7 @@ double scaled(double x, int exponent) {
              : x;
 }
 
-/// Of numbers with mantissas between 2^30 and 2^130, or 0.
+/// x + y. REQUIRES: mantissas between 2^30 and 2^130, or 0.
 Rounded sum(const Rounded& x, const Rounded& y) {
   if (x.mantissa == 0) return y;
   if (y.mantissa == 0) return x;
@@ -42,9 +42,9 @@ Rounded sum(const Rounded& x, const Rounded& y) {
   return {x.mantissa + scaled(y.mantissa, y.exponent - x.exponent), x.exponent};
 }
 
-/// a + b √d; d > 0. Where the terms cancel, it is (a² - b² d) / (a - b √d), whose do not. Relative
-/// errors, in units of 2^-53, up to terms of second order: b and d 1 each, √d 1.5, b √d 3.5, a
-/// sum 4.5, a quotient 6.5.
+/// a + b √d; d > 0. Where the terms cancel, it is (a² - b² d) / (a - b √d), whose terms do not.
+/// Relative errors, in units of 2^-53, up to terms of second order: b and d 1 each, √d 1.5, b √d
+/// 3.5, a sum 4.5, a quotient 6.5.
 Rounded withRoot(const Dyadic& a, const Dyadic& b, const Dyadic& d) {
   Rounded root = d.rounded();
   if (root.exponent % 2 != 0) root = {2 * root.mantissa, root.exponent - 1};
@@ -183,7 +183,7 @@ bool findTwofoldCircle(const Site& i, const Site& j, const Site& k,
   return true;
 }
 
-/// The doubles nearest to it.
+/// The nearest circle in doubles.
 VoronoiCircle rounded(const BoundedCenter<Twofold>& circle, const Site& i) {
   VoronoiCircle result;
   result.x = (circle.x + i.x).value;
@@ -195,7 +195,7 @@ VoronoiCircle rounded(const BoundedCenter<Twofold>& circle, const Site& i) {
   return result;
 }
 
-/// With errors of a few units in the last place. i is the reference site.
+/// The circle with errors of a few units in the last place. REQUIRES: i is the reference site.
 VoronoiCircle closeCircle(Corner i, Corner j, Corner k) {
   VoronoiCircle circle = voronoiCircle(i, j, k);
   const double size = absolute(circle.x) + absolute(circle.y) + absolute(circle.s);
@@ -203,7 +203,7 @@ VoronoiCircle closeCircle(Corner i, Corner j, Corner k) {
   if (circle.isHalfPlane() || (isKnown && circle.error <= powerOfTwo(-40) * size)) return circle;
   BoundedCenter<Twofold> twofold;
   if (findTwofoldCircle(*i, *j, *k, twofold)) {
-    // Of the parts seen from i the distance is the longest.
+    // Seen from i, no part is larger than the distance.
     const double least = std::min(absolute(twofold.x.value), absolute(twofold.y.value));
     if (twofold.error <= kUnitRoundoff * least) return rounded(twofold, *i);
   }
@@ -218,8 +218,8 @@ VoronoiCircle closeCircle(Corner i, Corner j, Corner k) {
   circle.y = i->y + quotient(face.y);
   const double rho = quotient(face.rho);
   circle.s = rho - i->r;
-  // Each of the three quotients is off by at most 6.5 + 6.5 + 1 = 14 units of rho, and each sum by
-  // one of its own.
+  // The error of each of the three quotients is at most 6.5 + 6.5 + 1 = 14 units of rho, and each
+  // sum adds one unit of its own.
   const double error64 =
       16 * kUnitRoundoff * (3 * rho + absolute(circle.x) + absolute(circle.y) + absolute(circle.s));
   circle.error = error64 < 1e38 ? std::max(static_cast<float>(error64 * 1.01),
@@ -228,8 +228,8 @@ VoronoiCircle closeCircle(Corner i, Corner j, Corner k) {
   return circle;
 }
 
-/// With the centre, and its distance from i, rounded correctly, unless the sites have too many
-/// digits. i is the reference site.
+/// The circle with the centre, and its distance from i, rounded correctly, unless the sites have
+/// too many digits. REQUIRES: i is the reference site.
 VoronoiCircle correctCircle(const Site& i, const Site& j, const Site& k) {
   BoundedCenter<Twofold> twofold;
   const bool isKnown = findTwofoldCircle(i, j, k, twofold);
@@ -249,7 +249,7 @@ VoronoiCircle correctCircle(const Site& i, const Site& j, const Site& k) {
                            double estimate) {
     const Twofold found = seen + own;
     if (isCorrect(seen, own)) return found.value;
-    // Of points, a tie of two doubles is decided in shorter numbers.
+    // For points, a tie of two doubles is decided in shorter numbers.
     const bool areClose = isKnown && twofold.error < powerOfTwo(-70) * absolute(found.value);
     Sign side;
     if (areClose && haveEqualWeights && part != &LongFace::rho &&

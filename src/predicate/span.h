@@ -19,7 +19,7 @@ Sign spanSign(Kernel& kernel, const Row<T>& l, const Row<T>& k) {
   const SpanForm<T> form(l, k);
   // Equal weights: Q is zero and P negative.
   if (kernel.hasEqualWeights()) return -kernel.sign(form.cross, kSpan.cross);
-  // Of x - √(p_l p_k).
+  // The sign of x - √(p_l p_k).
   const auto signLessRoot = [&](const T& x, Roundings count) {
     return signOfSum(kernel.sign(x, count), Sign::kNegative, [&] {
       return kernel.sign(x * x - form.tangents, count * count - kSpan.tangents);

@@ -11,13 +11,13 @@ namespace apollonius::internal {
 
 /// Is q in conflict with the Voronoi vertex of the face (i, j, k), i.e. does the vertex belong to
 /// q's cell once q is added? REQUIRES: i, j, k counter-clockwise with an existing Voronoi circle,
-/// at most one of them infinite, none covering another or q. Laws: the same for (j, k, i); zeros of
-/// the polynomial are settled as if infinity began at a finite, immense clearance and larger sites
-/// had infinitely larger increments of their weights, so the answers never depend on the order of
-/// insertion. Degree 8.
+/// at most one of them infinite, none covering another or q. Laws: the answer for (j, k, i) is the
+/// same; zeros of the polynomial are decided as if infinity began at a finite, immense clearance
+/// and larger sites had infinitely larger increments of their weights, so the answers never depend
+/// on the order of insertion. Degree 8.
 [[nodiscard]] bool isVertexInConflict(Corner i, Corner j, Corner k, const Site& q);
 
-/// The same, asking the face's cached circle first.
+/// As above, with the face's cached circle for a first filter.
 [[nodiscard]] bool isVertexInConflict(const VoronoiCircle& circle, Corner i, Corner j, Corner k,
                                       const Site& q);
 
@@ -29,12 +29,12 @@ namespace apollonius::internal {
 /// Does q touch the Voronoi circle of the face (i, j, k)? REQUIRES: as isVertexInConflict, i, j, k
 /// finite. Degree 8.
 [[nodiscard]] bool touchesCircle(const Site& i, const Site& j, const Site& k, const Site& q);
-/// And between i and j, so that it is that of the face (j, i, q), too? (Those three can have a
-/// second one, in the other order.)
+/// Does q touch the circle between i and j, so that the face (j, i, q) has the same circle? (Those
+/// three can have a second one, in the other order.) REQUIRES: as touchesCircle.
 [[nodiscard]] bool touchesBetween(const Site& i, const Site& j, const Site& k, const Site& q);
 
-/// The first stage, which settles nearly all: vertex conflict from the cached circle alone.
-/// Positive, conflict; negative, none; or unknown.
+/// The first stage, which decides nearly all cases: vertex conflict from the cached circle alone.
+/// Positive: conflict; negative: none; or unknown.
 ///
 /// Circle: conflict means |c - q| < s + r. With h = fl(s + r) and E = error + 2u|h|, the exact s +
 /// r and |c - q| differ from h and |fl(c) - q| by at most E together. d2 = fl(dx² + dy²) is exact
@@ -63,15 +63,15 @@ inline MaybeSign circleFilter(const VoronoiCircle& circle, const Site& q) {
 
 namespace stages {
 
-// Of all of these: i is finite and the largest of the finite ones among i, j, k; q covers none of
-// them; at most one of the four is infinite (q = nullptr asks whether infinity is nearer, that is,
-// whether the face has no Voronoi circle). Positive: conflict; zero: q touches the circle.
+// REQUIRES, for all of these: i is finite and the largest of the finite ones among i, j, k; q
+// covers none of them; at most one of the four is infinite (q = nullptr asks whether infinity is
+// nearer, that is, whether the face has no Voronoi circle). Positive: conflict; zero: q touches the
+// circle.
 
-/// First where all weights are equal, for which it is made: doubles, exact on grids. Unknown where
-/// weights differ.
+/// First stage for equal weights: in doubles, exact on grids. Unknown if weights differ.
 [[nodiscard]] MaybeSign vertexOfPoints(const Site& i, Corner j, Corner k, Corner q);
-/// Likewise where all weights are equal: in numbers of twice the digits; exact for two pairs that
-/// are mirror images in one axis-parallel line, however the coordinates were rounded.
+/// A later stage for equal weights: in numbers of twice the digits; exact for two pairs that are
+/// mirror images in one axis-parallel line, however the coordinates were rounded.
 [[nodiscard]] MaybeSign vertexTwofold(const Site& i, Corner j, Corner k, Corner q);
 /// In doubles with an error bound.
 [[nodiscard]] MaybeSign vertexFilter(const Site& i, Corner j, Corner k, Corner q);
@@ -80,13 +80,13 @@ namespace stages {
 /// In integers of fixed width.
 [[nodiscard]] MaybeSign vertexFixed(const Site& i, Corner j, Corner k, Corner q);
 [[nodiscard]] Sign vertexExact(const Site& i, Corner j, Corner k, Corner q);
-/// The answer where vertexExact is zero.
+/// The answer if vertexExact is zero.
 [[nodiscard]] bool vertexDegenerate(const Site& i, Corner j, Corner k, Corner q);
-/// Its geometric part: of four sites that touch one circle (or line: one is infinite), is q
-/// opposite to this corner?
+/// The geometric part of vertexDegenerate: of four sites that touch one circle (or line: one is
+/// infinite), is q opposite to this corner?
 enum class FaceCorner : unsigned char { kReference, kJ, kK };
 [[nodiscard]] bool isOpposite(const Site& i, Corner j, Corner k, Corner q, FaceCorner corner);
-/// Its exact stage, in long integers.
+/// The exact stage of isOpposite, in long integers.
 [[nodiscard]] bool isOppositeExact(const Site& i, Corner j, Corner k, Corner q, FaceCorner corner);
 
 }  // namespace stages

@@ -19,18 +19,17 @@ struct VoronoiCircle {
   double x = 0;  ///< centre, or the normal's a
   double y = 0;  ///< centre, or the normal's b
   double s = 0;  ///< clearance, or the half-plane's c
-  /// Of a circle: |exact centre - (x, y)| + |exact s - s| is at most this; infinite if nothing is
-  /// known; NaN if it has not been computed. Of a half-plane: the error of c.
+  /// For a circle: |exact centre - (x, y)| + |exact s - s| is at most this; infinite if nothing is
+  /// known; NaN if it has not been computed. For a half-plane: the error of c.
   float error = 0;
-  /// Of a half-plane: the error of the normal's components; negative marks a circle.
+  /// For a half-plane: the error of the normal's components. Negative for a circle.
   float slope = -1;
 
   [[nodiscard]] bool isHalfPlane() const { return slope >= 0; }
   [[nodiscard]] bool isMissing() const { return std::isnan(error); }
 };
 
-/// In the place of a circle that is to be computed when it is needed. The filters know nothing of
-/// it.
+/// Stands for a circle that is computed when it is needed. For the filters it is unknown.
 inline constexpr VoronoiCircle kMissingCircle{0, 0, 0, std::numeric_limits<float>::quiet_NaN(), -1};
 
 /// For bounds: the smallest convenient float that is at least x; infinity for NaN.

@@ -1,11 +1,12 @@
-// The ring is taken apart into arcs that run inside of the rectangle from border to border. The
-// cell is at the left of each, so along the border, counter-clockwise, it reaches from the end of
-// an arc to the next beginning of one. A pole is a side of the rectangle: a ring that comes to it
-// on one longitude ends there, and begins again on another.
+// The ring is divided into arcs that run inside of the rectangle from border to border. The cell is
+// on the left of each, so along the border, counter-clockwise, it reaches from the end of an arc to
+// the next beginning of one. A pole is a side of the rectangle: a ring that comes to it on one
+// longitude ends there, and begins again on another.
 //
-// Points are within a tolerance of the cell. Where that is thinner, an arc may begin behind the
-// place where another ends instead of before it, and a ring may be clockwise that should not be. So
-// the area of the cell decides: each turn around the border adds that of the whole sphere, 4 pi.
+// Points are within a tolerance of the cell. Where the cell is thinner, an arc may begin behind the
+// point where another one ends instead of before it, and a ring may be clockwise that should not
+// be. So the area of the cell decides: each turn around the border adds the area of the sphere, 4
+// pi.
 #include "sphere/antimeridian.h"
 
 #include <algorithm>
@@ -18,18 +19,19 @@ namespace {
 
 bool isOnBorder(const Direction& p) { return p.y == 0 && p.x <= 0; }
 
-/// A point of the border as the end of a chord whose other end is not there.
+/// A point of the border as the end of a chord whose other end is not on the border.
 LonLat borderPoint(const MapPoint& p, const MapPoint& other) {
   if (p.point.x == 0) return {other.at.lon, p.at.lat};  // a pole
   return {other.point.y < 0 ? -180.0 : 180.0, p.at.lat};
 }
 
 /// Does a chord between two points that are not on the border cross it? Then `latitude` receives
-/// where the line on the map does, which is close to the curve: the same bits in both directions.
+/// the latitude at which the line on the map crosses, which is close to the curve: the same bits in
+/// both directions.
 bool crossesBorder(const MapPoint& a, const MapPoint& b, double& latitude) {
   if ((a.point.y < 0) == (b.point.y < 0)) return false;
   const MapPoint &east = a.point.y < 0 ? b : a, &west = a.point.y < 0 ? a : b;
-  // Where y is 0, times the difference of the two y, which is positive.
+  // x where y is 0, times the difference of the two y, which is positive.
   if (!(west.point.x * east.point.y - east.point.x * west.point.y < 0)) return false;
   const double toEast = 180 - east.at.lon, toWest = 180 + west.at.lon;
   latitude = (east.at.lat * toWest + west.at.lat * toEast) / (toEast + toWest);
@@ -45,7 +47,7 @@ double positionOf(const LonLat& p) {
   return p.lon > 0 ? kRight + 90 + p.lat : kLeft + 90 - p.lat;
 }
 
-/// Twice the area, positive for a counter-clockwise ring.
+/// Twice the area on the map, positive for a counter-clockwise ring.
 double signedArea(const FlatArray<LonLat>& ring) {
   double sum = 0;
   const LonLat *before = &ring.back(), origin = ring[0];
@@ -57,7 +59,7 @@ double signedArea(const FlatArray<LonLat>& ring) {
   return sum;
 }
 
-/// In both coordinates.
+/// Length of a ring on the map: the sum of both coordinates' changes.
 double lengthOf(const FlatArray<LonLat>& ring) {
   double sum = 0;
   const LonLat* before = &ring.back();
@@ -68,13 +70,14 @@ double lengthOf(const FlatArray<LonLat>& ring) {
   return sum;
 }
 
-/// The area on the sphere between a chord and the equator: positive westwards in the north. Of
-/// chords within a tolerance, up to that.
+/// The area on the sphere between a chord and the equator, positive westwards in the north: as
+/// accurate as the chords, which are within a tolerance.
 double areaBelow(const LonLat& a, const LonLat& b) {
   return (a.lon - b.lon) * kRadian * (std::sin(a.lat * kRadian) + std::sin(b.lat * kRadian)) / 2;
 }
 
-/// The same of a way along the border, counter-clockwise: 2 pi each along the poles.
+/// The area on the sphere between a part of the border, counter-clockwise, and the equator: 2 pi
+/// for each pole.
 double areaOfBorder(double from, double to) {
   const auto upTo = [](double position) {
     const double turns = std::floor(position / kWhole), rest = position - turns * kWhole;
@@ -95,7 +98,7 @@ double areaOfRing(const FlatArray<LonLat>& ring) {
   return area;
 }
 
-/// How many times the whole sphere an area is too large.
+/// By how many whole spheres an area is too large.
 int surplusOf(double area, double ofCell) {
   return static_cast<int>(std::lround((area - ofCell) / (4 * std::numbers::pi)));
 }
@@ -126,7 +129,7 @@ void AntimeridianCutter::endArc(const LonLat& point) {
 
 void AntimeridianCutter::followChords(std::span<const MapPoint> ring, std::size_t first) {
   for (std::size_t k = 0; k <= ring.size(); ++k) {
-    // The first chord crosses the border, or begins there; before that, it comes again at the end.
+    // The first chord crosses the border, or begins there; its part before that comes at the end.
     const bool isAgain = k == ring.size();
     const MapPoint& from = ring[(first + k) % ring.size()];
     const MapPoint& to = ring[(first + k + 1) % ring.size()];
@@ -257,12 +260,12 @@ void AntimeridianCutter::emitArcs(LonLatRings& output) {
     trace(first);
     const bool isFlat = std::ranges::all_of(
         ring_, [&](const LonLat& p) { return p.lon == ring_[0].lon || p.lat == ring_[0].lat; });
-    if (isFlat && signedArea(ring_) == 0) continue;  // of arcs along the border
+    if (isFlat && signedArea(ring_) == 0) continue;  // made of arcs along the border only
     if (emitRing(output)) output.endPart();
   }
 }
 
-/// The ring of an arc and those that follow it.
+/// Traces the ring of an arc and those that follow it.
 void AntimeridianCutter::trace(std::size_t first) {
   ring_.clear();
   std::size_t k = first;
@@ -275,7 +278,7 @@ void AntimeridianCutter::trace(std::size_t first) {
   } while (k != first);
 }
 
-/// The corners between two positions.
+/// Adds the corners of the rectangle between two positions.
 void AntimeridianCutter::addBorder(double from, double to) {
   constexpr LonLat kCorners[] = {{-180, -90}, {180, -90}, {180, 90}, {-180, 90}};
   constexpr double kPositions[] = {0, kRight, kTop, kLeft};
@@ -286,7 +289,7 @@ void AntimeridianCutter::addBorder(double from, double to) {
 }
 
 bool AntimeridianCutter::emitRing(LonLatRings& output) {
-  // Closed, and no point twice in a row.
+  // Writes a closed ring, no point twice in a row.
   std::size_t kept = 0;
   for (const LonLat& p : ring_) {
     if (kept == 0 || !areSame(p, ring_[kept - 1])) ring_[kept++] = p;

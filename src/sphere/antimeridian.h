@@ -13,14 +13,14 @@
 
 namespace apollonius::internal::sphere {
 
-/// A point within kNearBorder of the meridian of 180 degrees, in radians, or within kNearPole of a
-/// pole is moved there: a boundary along that meridian, or through the pole, would be cut into
-/// slivers by its rounding. At kNearPole the first changes longitude by less than 8 degrees.
+/// A point within kNearBorder of the meridian of 180 degrees, in radians, is moved there, and one
+/// within kNearPole of a pole to the pole: otherwise, rounding would cut a boundary along that
+/// meridian, or through the pole, into slivers. At kNearPole from a pole, the former changes
+/// longitude by less than 8 degrees.
 inline constexpr double kNearBorder = 0x1p-40, kNearPole = 0x1p-37;
 [[nodiscard]] Direction snappedToBorder(const Direction& point);
 
-/// Polygons of longitudes and latitudes, one after the other: closed rings, one part after the
-/// other.
+/// Polygons of longitudes and latitudes, one after the other: parts, each a row of closed rings.
 struct LonLatRings {
   FlatArray<double> coordinates;       ///< longitude, latitude of each point
   FlatArray<std::uint32_t> starts{0};  ///< 0 and the end of each ring, in points
@@ -32,22 +32,23 @@ struct LonLatRings {
 
 class AntimeridianCutter {
  public:
-  /// `tolerance`: of the points of rings, in degrees.
+  /// `tolerance` is that of the points of rings, in degrees.
   explicit AntimeridianCutter(double tolerance)
       : thinnest_(std::max(tolerance, 0x1p-20)) {}  // as far as rounding moves a thin ring's points
 
-  /// Cuts a ring of snapped points that has the cell at its left and is not closed, and appends
-  /// what it becomes: outer rings counter-clockwise, holes clockwise. No points stand for the whole
-  /// sphere. Few rings need the area of their cell on the unit sphere. Throws std::bad_alloc.
+  /// Cuts a ring of snapped points that has the cell on its left and is not closed, and appends the
+  /// resulting rings: outer ones counter-clockwise, holes clockwise. An empty ring stands for the
+  /// whole sphere. `areaOfCell` gives the area of the cell on the unit sphere; few rings need it.
+  /// Throws std::bad_alloc.
   void cut(std::span<const MapPoint> ring, FunctionRef<double()> areaOfCell, LonLatRings& output);
 
  private:
   /// A part of the ring inside of the rectangle, from border to border.
   struct Arc {
-    std::size_t begin = 0, end = 0;  // in points_
+    std::size_t begin = 0, end = 0;  // range in points_
     double from = 0, to = 0;         // positions on the border
     std::size_t next = 0;            // the arc that follows
-    double border = 0;               // how far away that begins; negative: behind
+    double border = 0;               // distance to its beginning along the border; negative: behind
     bool isLinked = false, isFollowed = false, isDone = false;
   };
 
@@ -62,7 +63,7 @@ class AntimeridianCutter {
   void addBorder(double from, double to);
   bool emitRing(LonLatRings& output);
 
-  double thinnest_;  // a thinner ring need not have the orientation of its cell
+  double thinnest_;  // thinner rings may have the wrong orientation
   FlatArray<LonLat> points_;
   FlatArray<Arc> arcs_;
   FlatArray<LonLat> ring_;

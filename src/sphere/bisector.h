@@ -18,8 +18,9 @@ namespace apollonius::internal::sphere {
 /// neither covers the other.
 class SphericalBisector {
  public:
-  /// As seen from `node`; `frame` is that of its centre. Of the caps, or of the circles of the
-  /// plane where those tell more: where the sites are close, or one nearly covers the other.
+  /// As seen from `node`; `frame` is that of its centre. Computed from the caps, or from the
+  /// circles of the plane where these are more accurate: if the sites are close, or one nearly
+  /// covers the other.
   SphericalBisector(const ProjectedDiagram& diagram, VertexId node, const Frame& frame,
                     VertexId neighbor) {
     if (diagram.areClose(node, neighbor)) {
@@ -30,23 +31,24 @@ class SphericalBisector {
     setByCaps(diagram.cap(node), diagram.cap(neighbor), frame,
               [&](double) { return diagram.rise(node, neighbor); });
   }
-  /// Of caps only, as accurate as they are. REQUIRES: computed, neither covers the other.
+  /// Computed from the caps only, as accurate as they are. REQUIRES: as computed, neither covers
+  /// the other.
   SphericalBisector(const Cap& from, const Cap& to, const Frame& frame) {
     setByCaps(from, to, frame, [](double rise) { return rise; });
   }
 
-  /// What there is in the direction of a bearing.
+  /// The curve in the direction of a bearing.
   struct At {
-    double cosine, sine;  ///< of rho
+    double cosine, sine;  ///< cosine and sine of rho
     double x, y;          ///< cosine and sine of the bearing
     double rounding;      ///< how far rounding may have moved rho, about
-    double steepness;     ///< of the curve: the derivative of ln tan(rho / 2) by the bearing
+    double steepness;     ///< the derivative of ln tan(rho / 2) by the bearing
     /// 1 - cos rho, accurate also where that is small.
     [[nodiscard]] double height() const {
       return cosine > 0 ? sine * sine / (1 + cosine) : 1 - cosine;
     }
     [[nodiscard]] double rho() const { return std::atan2(sine, cosine); }
-    /// The length of the curve a radian of bearing.
+    /// The length of the curve per radian of bearing.
     [[nodiscard]] double speed() const { return sine * std::sqrt(1 + steepness * steepness); }
     /// The point there; `centre` and `frame` are the first site's.
     [[nodiscard]] Direction point(const Direction& centre, const Frame& frame) const {
@@ -54,7 +56,7 @@ class SphericalBisector {
     }
   };
   [[nodiscard]] At at(double bearing) const { return at(std::cos(bearing), std::sin(bearing)); }
-  /// The same by cosine and sine of the bearing.
+  /// The curve in the direction of a bearing, given by its cosine and sine.
   [[nodiscard]] At at(double x, double y) const {
     const Run run = runAt(x, y);
     const double length = std::sqrt(rise_ * rise_ + run.value * run.value);
@@ -66,9 +68,10 @@ class SphericalBisector {
             std::min(run.rounding / length, kAnywhere),
             slope_ * (y * x_ - x * y_) / length};
   }
-  /// Where the curve is a quarter turn away: at so much from the direction of the other site, to
-  /// both sides. If the sites are close to each other, or one nearly covers the other, it goes from
-  /// one end of the sphere to the other there, within about the angle `width`.
+  /// The bearings where the curve is a quarter turn away: at the angle `aside` to both sides of the
+  /// direction of the other site. If the sites are close to each other, or one nearly covers the
+  /// other, the curve goes from one end of the sphere to the other there, within about the angle
+  /// `width`.
   struct Turns {
     double aside, width;
   };
@@ -79,24 +82,24 @@ class SphericalBisector {
     return {std::atan2(across, isHeavier_ ? shift_ : -shift_),
             steepness > 0 ? std::min(rise_ / steepness, 1.0) : 1};
   }
-  /// The curve is nearer than the angle `most`, which is in (0, pi), at bearings up to so much from
-  /// that of the other site, to both sides: 0 to pi.
+  /// The angle to both sides of the other site's bearing within which the curve is nearer than the
+  /// angle `most`: 0 to pi. REQUIRES: `most` in (0, pi).
   [[nodiscard]] double asideWithin(double most) const {
-    // Where the run is more than rise / tan(most): by the half of the bearing's distance, of which
-    // the square of the sine, or of the cosine, is less than this.
+    // There, the run is more than rise / tan(most): the square of the sine, or of the cosine, of
+    // half the angle is less than this.
     const double run = rise_ * std::cos(most) / std::sin(most);
     const double square = (isHeavier_ ? least_ - run : least_ + run) / (2 * slope_);
     const double part = std::clamp(square, 0.0, 1.0);
     const double root = std::sqrt(part), other = std::sqrt(1 - part);
     return 2 * (isHeavier_ ? std::atan2(root, other) : std::atan2(other, root));
   }
-  /// The bearings at which the curve is nearer than another one about the same site: those closer
-  /// than `aside`, from none to half a turn, to `middle`.
+  /// The bearings at which the curve is nearer than another one about the same site: those within
+  /// `aside`, 0 to half a turn, of `middle`.
   struct Nearer {
     double middle, aside;
   };
   [[nodiscard]] Nearer nearerThan(const SphericalBisector& other) const {
-    // As in bearingOfNext: where p cos phi + q sin phi > r.
+    // As in bearingOfNext(): the bearings phi with p cos phi + q sin phi > r.
     const double mine = rise_ * other.slope_, its = other.rise_ * slope_;
     const double p = its * x_ - mine * other.x_, q = its * y_ - mine * other.y_;
     const double r = other.rise_ * signedShift() - rise_ * other.signedShift();
@@ -194,8 +197,8 @@ class SphericalBisector {
   }
   [[nodiscard]] double signedShift() const { return isHeavier_ ? shift_ : -shift_; }
 
-  // Where one site nearly covers the other, the curve depends on what is left of D - |d|, so
-  // nothing here subtracts what is nearly equal.
+  // If one site nearly covers the other, the curve depends on the small difference D - |d|, so no
+  // nearly equal numbers are subtracted here.
   double rise_;           // cos d - cos D
   double least_;          // sin D - sin |d|
   double slope_, shift_;  // sin D, sin |d|

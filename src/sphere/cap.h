@@ -10,7 +10,7 @@
 
 namespace apollonius::internal::sphere {
 
-/// A unit vector, or a vector that belongs to one. Coordinates of sites and points are multiples of
+/// A unit vector, or a sum or multiple of such. Coordinates of sites and points are multiples of
 /// 2^-60 (toGrid), so that no projected number leaves the range in which the plane is exact.
 struct Direction {
   double x = 0;
@@ -48,12 +48,13 @@ struct LonLat {
   double lat = 0;
 };
 
-/// Exact at multiples of 90 degrees; any longitude. REQUIRES: latitude in [-90, 90].
+/// The direction of a point; exact at multiples of 90 degrees. Takes any longitude. REQUIRES:
+/// latitude in [-90, 90].
 [[nodiscard]] Direction directionOf(const LonLat& point);
-/// Longitude in [-180, 180]; 0 at the poles.
+/// Longitude and latitude of a direction; longitude in [-180, 180], 0 at the poles.
 [[nodiscard]] LonLat lonLatOf(const Direction& point);
 
-/// A direction, and where it is on the map.
+/// A direction, and its point on the map.
 struct MapPoint {
   Direction point;
   LonLat at;
@@ -63,7 +64,7 @@ struct MapPoint {
 /// counter-clockwise as seen from outside of the sphere.
 struct Frame {
   explicit Frame(const Direction& up);
-  /// Of a point, counter-clockwise from `first`, in [-pi, pi].
+  /// The bearing of a point, counter-clockwise from `first`, in [-pi, pi].
   [[nodiscard]] double bearing(const Direction& point) const {
     return std::atan2(dot(point, second), dot(point, first));
   }
@@ -71,7 +72,7 @@ struct Frame {
   Direction first, second;
 };
 
-/// An angle by sine and cosine of its half. Angles are in (-2 pi, 2 pi), and those that are
+/// An angle, as sine and cosine of its half. Angles are in (-2 pi, 2 pi), and angles that are
 /// compared are less than 2 pi apart.
 struct HalfAngle {
   double sine = 0;
@@ -85,20 +86,20 @@ constexpr HalfAngle operator+(const HalfAngle& a, const HalfAngle& b) {
 constexpr HalfAngle operator-(const HalfAngle& a, const HalfAngle& b) {
   return {a.sine * b.cosine - a.cosine * b.sine, a.cosine * b.cosine + a.sine * b.sine};
 }
-/// Right but for angles that differ by less than 4 units of 2^-53.
+/// Correct unless the angles differ by less than 4 units of 2^-53.
 constexpr bool operator<(const HalfAngle& a, const HalfAngle& b) {
   return a.sine * b.cosine < a.cosine * b.sine;
 }
 
-/// Between two directions, 0 to pi; its relative error is a few units in the last place.
+/// The angle between two directions, 0 to pi; its relative error is a few units in the last place.
 inline HalfAngle angleBetween(const Direction& a, const Direction& b) {
   return {lengthOf(a - b) / 2, lengthOf(a + b) / 2};
 }
 
-/// Directions are not quite unit vectors. Of those closer than this, in radians, the rounding is a
-/// part of their chord's length that tells, but not of the chord's part at right angles to them.
+/// Directions are not quite unit vectors. If two are closer than this, in radians, rounding is a
+/// relevant part of their chord's length, but not of the chord's part at right angles to them.
 inline constexpr double kClose = 0x1p-20;
-/// With this sine. REQUIRES: acute.
+/// The acute angle with this sine.
 inline HalfAngle acuteAngle(double sine) {
   const double cosine = std::sqrt((1 + std::sqrt((1 - sine) * (1 + sine))) / 2);
   return {sine / (2 * cosine), cosine};
@@ -108,7 +109,7 @@ inline HalfAngle acuteAngle(double sine) {
 struct Cap {
   Direction centre;
   HalfAngle radius;   ///< the weight, on the grid of directions
-  double weight = 0;  ///< the same in radians
+  double weight = 0;  ///< the weight in radians
 };
 
 [[nodiscard]] Cap capOf(const LonLat& centre, double weight);
@@ -118,8 +119,8 @@ constexpr bool areIdentical(const Cap& a, const Cap& b) {
          a.weight == b.weight;
 }
 
-/// With the angle between two centres as large as the difference of the weights up to this share,
-/// one cap nearly covers the other, and rounding leaves little of what is between.
+/// If the angle between two centres equals the difference of the weights up to this share, one cap
+/// nearly covers the other, and the small difference is mostly rounding.
 inline constexpr double kNearlyCovered = 0x1p-26;
 /// Does one of two caps nearly cover the other?
 inline bool nearlyCovers(const Cap& a, const Cap& b) {
@@ -131,7 +132,7 @@ inline bool nearlyCovers(const Cap& a, const Cap& b) {
 inline HalfAngle distance(const Direction& point, const Cap& cap) {
   return angleBetween(point, cap.centre) - cap.radius;
 }
-/// In radians, rounded.
+/// The distance in radians, rounded.
 inline double distanceInRadians(const Direction& point, const Cap& cap) {
   return angleBetween(point, cap.centre).angle() - cap.weight;
 }

@@ -8,20 +8,20 @@ namespace apollonius::internal::sphere {
 
 namespace {
 
-/// Bearings are not known better than this where a vertex is close to the site.
+/// Accuracy of a bearing where a vertex is close to the site.
 constexpr double kOneDirection = 0x1p-16;
 
-/// From one bearing to another, between -pi and pi, but half a turn either way counts as pi.
+/// The turn from one bearing to another, between -pi and pi; half a turn in either direction is pi.
 double turnBetween(double from, double to) {
   const double turn = std::remainder(to - from, kTurn);
   return turn < kOneDirection - kTurn / 2 ? turn + kTurn : turn;
 }
 
 /// The edges about a node as sectors. Counter-clockwise about the node, the edge of h runs from the
-/// vertex of the face at the right of h to that of the face at the left. The turn between the two,
-/// as turnBetween() has it, is too small by a whole turn for one edge at most. It is so exactly if
-/// all turns of the star add up to 0, and that edge is the one whose turn is the least; others can
-/// be below 0 by rounding only, however large that is.
+/// vertex of the face on the right of h to that of the face on the left. The turn between the two,
+/// by turnBetween(), is too small by a whole turn for at most one edge. That is so exactly if all
+/// turns of the star add up to 0, and the edge is the one with the least turn; other turns can be
+/// below 0 by rounding only, however large that is.
 class Star {
  public:
   Star(const ProjectedDiagram& diagram, VertexId node, SphericalVertices& vertices)
@@ -36,18 +36,19 @@ class Star {
   }
   [[nodiscard]] double bearingOf(FaceId f) const { return frame_.bearing(vertices_[f].point); }
 
-  /// Where the sectors of two neighbours meet, one next to the other counter-clockwise: the bearing
-  /// of the vertex of face `f`.
+  /// The bearing where the sectors of two neighbours meet, `next` being the next one
+  /// counter-clockwise: that of the vertex of face `f`.
   [[nodiscard]] double bearingBetween(VertexId neighbor, const SphericalBisector& bisector,
                                       VertexId next, const SphericalBisector& nextBisector,
                                       FaceId f) const {
-    // Seen from afar, two close sites have one bisector, and the vertex tells where they meet.
+    // Seen from afar, two close sites have the same bisector, and only the vertex tells where their
+    // sectors meet.
     const bool isFromAfar = diagram_.areClose(neighbor, next) && !diagram_.areClose(node_, next);
     return isFromAfar ? bearingOf(f)
                       : bisector.bearingOfNext(nextBisector, [&] { return bearingOf(f); });
   }
 
-  /// The edge of h; the width is the turn.
+  /// The sector of the edge of h, with the turn for its width.
   [[nodiscard]] Sector edge(HalfedgeId h) const {
     const HalfedgeId twin = graph_.twin(h);
     const VertexId before = graph_.apex(twin), neighbor = graph_.target(h), after = graph_.apex(h);
@@ -58,7 +59,7 @@ class Star {
     return {bisector, from, turnBetween(from, to)};
   }
 
-  /// From turns to widths.
+  /// Replaces turns by widths.
   static void widen(FlatArray<Sector>& sectors) {
     double sum = 0;
     for (const Sector& sector : sectors) sum += sector.width;
@@ -68,9 +69,8 @@ class Star {
   }
 
  private:
-  /// The sector that is too small by a whole turn: the one with the least turn, or, where that may
-  /// be rounding and all ends are in one direction, the one that is nearest in the opposite
-  /// direction.
+  /// The sector that is too small by a whole turn: the one with the least turn, or, if that may be
+  /// rounding and all ends are in one direction, the one that is nearest in the opposite direction.
   static std::size_t roundOne(const FlatArray<Sector>& sectors) {
     constexpr double kSure = -0.5;
     double x = 0, y = 0;
@@ -108,7 +108,7 @@ Sector sectorOf(const ProjectedDiagram& diagram, HalfedgeId h, SphericalVertices
   const VertexId node = diagram.graph().origin(h);
   Sector sector = Star(diagram, node, vertices).edge(h);
   if (sector.width > kOneDirection) return sector;
-  // Of the whole star, as its edges decide together.
+  // Computed from the whole star, as the widths of its edges depend on each other.
   FlatArray<Sector> sectors;
   listSectors(diagram, node, vertices, sectors);
   std::size_t k = 0;
@@ -133,7 +133,7 @@ void listSectors(const ProjectedDiagram& diagram, VertexId node, SphericalVertic
   }
   for (const HalfedgeId h : graph.star(node))
     sectors.push_back({star.bisectorWith(graph.target(h)), 0, 0});
-  // Each end once, for the two edges that meet there.
+  // Each end is computed once, for the two edges that meet there.
   const Sector* before = &sectors.back();
   Sector* sector = sectors.data();
   for (const HalfedgeId h : graph.star(node)) {

@@ -20,14 +20,14 @@ inline constexpr double kTurn = 2 * std::numbers::pi;
 struct Sector {
   SphericalBisector bisector;
   double from = 0;   ///< bearing of its first point about the site
-  double width = 0;  ///< to its last one, counter-clockwise, 0 to 2 pi
+  double width = 0;  ///< angle to its last one, counter-clockwise, 0 to 2 pi
 };
 
 /// The sector of an edge about the site where `h` starts. Calls throw std::bad_alloc.
 [[nodiscard]] Sector sectorOf(const ProjectedDiagram& diagram, HalfedgeId h,
                               SphericalVertices& vertices);
 
-/// Of two visible sites, the other one.
+/// The other one of two visible sites. REQUIRES: there are just two.
 [[nodiscard]] inline VertexId otherOfTwo(const ProjectedDiagram& diagram, VertexId node) {
   return node == kInfinity ? diagram.plane().delaunay().anyVisible() : kInfinity;
 }
@@ -35,22 +35,23 @@ struct Sector {
 /// How far cells reach, in radians.
 class AngularReach {
  public:
-  /// Beyond the circles of the sites of a sphere of this radius: one distance for each id, or one
-  /// for all, or none, which is everywhere. REQUIRES: `distances` are there as long as this one.
+  /// `distances` are measured from the circles of the sites, on a sphere of this radius: one for
+  /// each id, or one for all, or none for an unlimited reach. REQUIRES: `distances` live as long.
   AngularReach(std::span<const double> distances, double radius)
       : distances_(distances), radius_(radius) {}
 
-  /// Do all cells end at others only?
+  /// Do all cells end at other cells only?
   [[nodiscard]] bool isUnlimited() const {
     return distances_.empty() ||
            (distances_.size() == 1 && distances_[0] == std::numeric_limits<double>::infinity());
   }
-  /// From the circle of a site.
+  /// The reach from the circle of a site.
   [[nodiscard]] double beyondCircle(SiteId site) const {
     if (distances_.empty()) return std::numeric_limits<double>::infinity();
     return taken(distances_[distances_.size() == 1 ? 0 : site]) / radius_;
   }
-  /// From its centre: up to 0 there is no cell, from pi on the cell ends at others only.
+  /// The reach from the site's centre: up to 0 there is no cell, from pi on the cell ends at other
+  /// cells only.
   [[nodiscard]] double of(const ProjectedDiagram& diagram, VertexId node) const {
     return diagram.cap(node).weight + beyondCircle(diagram.siteOf(node));
   }
@@ -86,8 +87,8 @@ void visitWithin(const Sector& sector, double reach, Visit&& visit) {
   }
 }
 
-/// Lists the sectors of a visible site, counter-clockwise; none if it is the only one. That of the
-/// closed edge of two visible sites begins where it is farthest. Cost: O(d).
+/// Lists the sectors of a visible site, counter-clockwise; none if it is the only one. The sector
+/// of the closed edge of two visible sites begins where the edge is farthest. Cost: O(d).
 void listSectors(const ProjectedDiagram& diagram, VertexId node, SphericalVertices& vertices,
                  FlatArray<Sector>& sectors);
 

@@ -128,8 +128,8 @@ bool ChainMaker::isFine(const MapPoint& a, const MapPoint& middle, const MapPoin
   const double aside = kRadian * kRadian * line.squaredDistance(width);
   if (aside <= kNearBorder * kNearBorder) return true;
   // Lines that deviate from their curves by more than a small part of their length could cross
-  // others; and so could those that come closer to a pole, where there may be shorter ones, by more
-  // than a small part of the way that is left.
+  // others. So could lines near a pole, where others may be shorter, if they deviate by more than a
+  // small part of their distance from the pole.
   const double length = kRadian * kRadian * line.squaredLength(width);
   const auto toPole = [](const Direction& end) { return isAtPole(end) ? 1 : fromAxis(end); };
   return aside <= kFlat * kFlat * std::min({length, toPole(a.point), toPole(b.point)}) &&
@@ -144,7 +144,7 @@ bool ChainMaker::isShort(const Direction& a, const Direction& middle, const Dire
 
 bool ChainMaker::mayTurnBack(const MapPoint& a, const MapPoint& b) const {
   if (joint_ == Joint::kGreatArc) return false;
-  // Of a great circle that crosses the equator, some 2^-5 of the length's third power.
+  // The deviation of a great circle that crosses the equator is about 2^-5 of the cubed length.
   const double length = std::sqrt(Segment(a, a.at, b).squaredLength()) * kRadian;
   return length * length * length > 16 * tolerance_;
 }
@@ -152,13 +152,14 @@ bool ChainMaker::mayTurnBack(const MapPoint& a, const MapPoint& b) const {
 void ChainMaker::subdivide(double width, const MapPoint& first, const MapPoint& last,
                            PointAt pointAt, FitOf fitOf, FlatArray<MapPoint>& points) {
   // Where an edge passes a pole, pieces become as short as the distance within which points are
-  // moved there.
+  // moved to the pole.
   constexpr int kDeepest = 45;
-  constexpr double kAside = 19.0 / 64;  // of a piece: where an S is off it, and its middle is not
+  constexpr double kAside =
+      19.0 / 64;  // share of a piece at which an S is away from it, unlike at its middle
   MapPoint a = first;
   const std::size_t outer = ends_.size();
   ends_.push_back(last);
-  // The piece under way is the one with this number of 2^depth.
+  // The current piece has this number, of 2^depth.
   std::uint64_t number = 0;
   for (int depth = 0; ends_.size() > outer;) {
     const double part = 1 / static_cast<double>(std::uint64_t{1} << depth);
@@ -194,7 +195,7 @@ void ChainMaker::subdivide(double width, const MapPoint& first, const MapPoint& 
   }
 }
 
-/// An edge as it is followed, from one site. What is on it is at a part of it, from 0 to 1.
+/// An edge as it is followed, from one site. Its points are given by a part of it, from 0 to 1.
 struct ChainMaker::Edge {
   Edge(const ProjectedDiagram& diagram, VertexId from, VertexId to, const Sector& along,
        const MapPoint& begin, const MapPoint& end)
@@ -346,7 +347,7 @@ void ChainMaker::append(HalfedgeId h, FlatArray<MapPoint>& points) {
     points.append(innerOf(h, first, last));
     return;
   }
-  // The other site has the edge from `last` to `first`.
+  // For the other site, the edge runs from `last` to `first`.
   const std::span<const MapPoint> inner = innerOf(twin, last, first);
   for (std::size_t k = inner.size(); k-- > 0;) points.push_back(inner[k]);
 }
@@ -356,8 +357,8 @@ void ChainMaker::appendWithin(const Edge& edge, VertexId node, const Sector& sec
                               FlatArray<Strand>& strands) {
   const bool isOwn = node == edge.node;
   const double weight = diagram_.cap(edge.node).weight;
-  // In pairs, the ends of the parts within the reach of a site, which is as far beyond its weight
-  // as the other one is.
+  // Adds the ends of the parts within the reach of a site, in pairs. On the edge, both sites'
+  // circles are equally far, so the reach can be measured from the edge's own site.
   const auto cutBy = [&](VertexId of, FlatArray<double>& cuts) {
     const double most = weight + reach.beyondCircle(diagram_.siteOf(of));
     if (!(most > 0)) return;
@@ -376,7 +377,7 @@ void ChainMaker::appendWithin(const Edge& edge, VertexId node, const Sector& sec
   }
 
   const auto pointAt = [&](double part) {
-    // But for rounding, a part may end where the edge does.
+    // A part that ends within rounding of the edge's end ends there.
     constexpr double kHere = 0x1p-42;
     const MapPoint& end = part < 0.5 ? edge.first : edge.last;
     if (part <= 0 || part >= 1) return end;

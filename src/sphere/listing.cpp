@@ -99,7 +99,7 @@ void listEdges(const ProjectedDiagram& diagram, EdgeArrays& edges) {
     edges.vertices[0] = edges.vertices[1] = -1;
     return;
   }
-  FlatArray<std::int32_t> row(graph.faceSlots(), -1);  // of the faces in listVertices()
+  FlatArray<std::int32_t> row(graph.faceSlots(), -1);  // by face: its row in listVertices()
   std::int32_t rows = 0;
   for (const FaceId face : graph.faces()) row[index(face)] = rows++;
   std::size_t k = 0;

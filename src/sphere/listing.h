@@ -9,18 +9,18 @@
 
 namespace apollonius::internal::sphere {
 
-/// All replace the contents and throw std::bad_alloc.
+// All replace the contents and throw std::bad_alloc.
 
 void listNeighbors(const ProjectedDiagram& diagram, SiteId id, std::vector<SiteId>& neighbors);
-/// The same with a row for each edge, and how near the edge comes to the circles of its two sites,
-/// in the unit of the sphere's radius: the same number for both.
+/// Lists the neighbours with a row for each edge, and the least distance of the edge from the
+/// circles of its two sites, which is the same for both, in the unit of the sphere's radius.
 void listNeighbors(const ProjectedDiagram& diagram, SiteId id, double radius,
                    std::vector<SiteId>& neighbors, std::vector<double>& distances);
-/// Clearances in the unit of the sphere's radius.
+/// Lists the vertices; clearances are in the unit of the sphere's radius.
 void listVertices(const ProjectedDiagram& diagram, double radius, VertexArrays& vertices);
 void listEdges(const ProjectedDiagram& diagram, EdgeArrays& edges);
-/// The narrowest place of each edge that listEdges() has: where it crosses the way between its
-/// sites' centres, or else the end that is nearer. Without sites.
+/// Lists the narrowest place of each edge of listEdges(): where it crosses the arc between its
+/// sites' centres, or else the nearer end. Leaves out the sites.
 void listNarrowest(const ProjectedDiagram& diagram, double radius, VertexArrays& places);
 
 }  // namespace apollonius::internal::sphere

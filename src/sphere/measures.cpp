@@ -1,4 +1,5 @@
-// In polar coordinates about its site a cell is what is below the curve rho(phi), so its area is
+// In polar coordinates about its site, a cell is the region below the curve rho(phi), so its area
+// is
 //
 //     sum over the sectors of  integral (1 - cos rho) dphi,
 //
@@ -10,9 +11,9 @@
 // Where the cell ends at its reach, rho is constant and both are elementary. The boundary's length
 // is the integral of sqrt(rho'² + sin² rho) dphi.
 //
-// They are taken by Gauss's rule of twelve points. Where the rule of six agrees to more than half
-// of the digits, that of twelve, whose error is about the square, is right to all of them; else the
-// interval is halved, unless rounding makes the difference.
+// The integrals are computed by Gauss's rule with twelve points. If the rule with six points agrees
+// to more than half of the digits, that with twelve, whose error is about the square, is right to
+// all digits; else the interval is halved, unless the difference is rounding.
 #include "sphere/measures.h"
 
 #include <algorithm>
@@ -27,7 +28,7 @@ namespace apollonius::internal::sphere {
 namespace {
 
 struct GaussPoint {
-  double position, weight;  // in [-1, 1], of both signs
+  double position, weight;  // position in [-1, 1], used with both signs
 };
 constexpr std::array<GaussPoint, 6> kTwelvePoints = {{{0.1252334085114689, 0.24914704581340277},
                                                       {0.3678314989981802, 0.2334925365383548},
@@ -39,26 +40,26 @@ constexpr std::array<GaussPoint, 3> kSixPoints = {{{0.2386191860831969, 0.467913
                                                    {0.6612093864662645, 0.3607615730481386},
                                                    {0.932469514203152, 0.17132449237917036}}};
 
-/// What is measured of a piece of a bisector.
+/// The integrals to compute over a piece of a bisector.
 enum class Integrand : unsigned char { kArea, kAreaAndMoment, kLength };
 
-/// The area below it, or its length; and what the area adds to the moment in the frame's directions
-/// (first, second, up).
+/// The area below a piece, or its length; and the area's moment in the frame's directions (first,
+/// second, up).
 struct Integrals {
   double value = 0;
-  double rounding = 0;  // of the value, about
+  double rounding = 0;  // approximate error of the value
   Direction moment = {};
 
   void add(double weight, const SphericalBisector::At& at, Integrand of) {
     if (of == Integrand::kLength) {
-      // Rounding that moves rho by so much changes the speed by up to twice that share, about.
+      // Rounding that moves rho changes the speed by up to about twice that share.
       const double length = weight * at.speed();
       value += length;
       rounding += 4 * length * at.rounding;
       return;
     }
     value += weight * at.height();
-    rounding += weight * at.sine * at.rounding;  // of the height 1 - cos rho
+    rounding += weight * at.sine * at.rounding;  // error of the height 1 - cos rho
     if (of == Integrand::kArea) return;
     const double outward = weight * (at.rho() - at.sine * at.cosine) / 2;
     moment = moment + Direction{outward * at.x, outward * at.y, weight * at.sine * at.sine / 2};
@@ -81,11 +82,11 @@ Integrals gauss(const SphericalBisector& bisector, double from, double width,
   return sum;
 }
 
-/// Adds the integrals over an interval of bearings, halved where that is needed.
+/// Adds the integrals over an interval of bearings, which is halved as needed.
 void addInterval(const SphericalBisector& bisector, double from, double width, Integrand of,
                  Integrals& sum) {
   constexpr int kDeepest = 48;
-  // The part under way is the one with this number of 2^depth.
+  // The current part has this number, of 2^depth.
   std::uint64_t number = 0;
   for (int depth = 0; number < std::uint64_t{1} << depth;) {
     const double part = width / static_cast<double>(std::uint64_t{1} << depth);
@@ -105,12 +106,12 @@ void addInterval(const SphericalBisector& bisector, double from, double width, I
   }
 }
 
-/// Adds the area below an arc of a great circle, or its length: by the triangle with the site. At
-/// most half a turn wide.
+/// Adds the area below an arc of a great circle, or its length: by the triangle with the site.
+/// REQUIRES: at most half a turn wide.
 void addGreatArc(const SphericalBisector& bisector, double from, double width, Integrand of,
                  Integrals& sum) {
   struct Half {
-    double sine, cosine;  // of half the distance
+    double sine, cosine;  // sine and cosine of half the distance
   };
   const auto halfOf = [](const SphericalBisector::At& at) {
     const double sine = std::sqrt(at.height() / 2);
@@ -127,13 +128,13 @@ void addGreatArc(const SphericalBisector& bisector, double from, double width, I
   }
 }
 
-/// Adds the integrals over a part of a sector in intervals that grow with the distance from where
-/// the curve turns from one end of the sphere to the other, too sharply perhaps to be seen from
-/// farther away.
+/// Adds the integrals over a part of a sector. The intervals grow with the distance from the
+/// bearing at which the curve turns from one end of the sphere to the other: the turn may be too
+/// sharp to be noticed from farther away.
 void addEdge(const SphericalBisector& bisector, double from, double width, Integrand of,
              Integrals& sum) {
   constexpr double kWidest = kTurn / 8, kGrowth = 4;
-  constexpr double kNarrowest = 0x1p-46;  // of steps, which rounding would swallow
+  constexpr double kNarrowest = 0x1p-46;  // smaller steps would be lost in rounding
   if (bisector.isGreatCircle() && of != Integrand::kAreaAndMoment) {
     for (double done = 0; done < width; done += kTurn / 4)
       addGreatArc(bisector, from + done, std::min(kTurn / 4, width - done), of, sum);
@@ -166,7 +167,7 @@ void addCircle(double reach, double from, double width, Integrand of, Integrals&
   const double half = std::sin(reach / 2);
   sum.value += 2 * half * half * width;
   if (of == Integrand::kArea) return;
-  // Of the cosines and sines of the bearings, by those of the middle.
+  // The integrals of the bearings' cosines and sines, from those of the middle.
   const double chord = 2 * std::sin(width / 2), middle = from + width / 2;
   const double outward = (reach - sine * cosine) / 2 * chord;
   sum.moment = sum.moment + Direction{outward * std::cos(middle), outward * std::sin(middle),
@@ -176,12 +177,12 @@ void addCircle(double reach, double from, double width, Integrand of, Integrals&
 [[nodiscard]] Integrals integralsOf(const FlatArray<Sector>& sectors, double reach, Integrand of) {
   Integrals sum;
   if (sectors.empty()) {
-    // All that the only site's cell does not end at is the point opposite to it.
+    // The only site's cell is a whole disc about its centre.
     addCircle(std::min(reach, std::numbers::pi), 0, 2 * std::numbers::pi, of, sum);
     return sum;
   }
   for (const Sector& sector : sectors) {
-    double done = 0;  // of the sector
+    double done = 0;  // the part of the sector that is done
     visitWithin(sector, reach, [&](double from, double to) {
       addCircle(reach, sector.from + done, from - done, of, sum);
       addEdge(sector.bisector, sector.from + from, to - from, of, sum);

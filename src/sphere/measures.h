@@ -7,12 +7,12 @@
 
 namespace apollonius::internal::sphere {
 
-/// Of the part of a visible site's cell, of which all sectors are given, within the angle `reach`,
-/// which is above 0, of the centre: the area, and, unless `moment` is null, the vector integral of
-/// the points.
+/// The area of the part of a visible site's cell within the angle `reach` of the centre; and,
+/// unless `moment` is null, the vector integral of its points. REQUIRES: all sectors of the cell
+/// are given; reach > 0.
 [[nodiscard]] double areaOfCell(const Cap& cap, const FlatArray<Sector>& sectors, double reach,
                                 Direction* moment = nullptr);
-/// The length of its boundary.
+/// The length of the boundary of that part.
 [[nodiscard]] double perimeterOfCell(const FlatArray<Sector>& sectors, double reach);
 
 /// The area between a site and a part of one of its bisectors.
@@ -23,8 +23,8 @@ enum class CellMeasure : unsigned char { kArea, kPerimeter };
 /// The measure of one cell, 0 without one. Throws std::bad_alloc. Cost: O(d).
 [[nodiscard]] double measureOf(const ProjectedDiagram& diagram, SiteId site, CellMeasure measure,
                                const AngularReach& reach);
-/// Those of all cells by id, 0 for hidden sites and free ids; without a reach areas add up to 4 pi.
-/// Replaces the contents. Throws std::bad_alloc. Cost: O(n).
+/// Lists the measures of all cells by id, 0 for hidden sites and free ids; without a reach, areas
+/// add up to 4 pi. Replaces the contents. Throws std::bad_alloc. Cost: O(n).
 void listMeasures(const ProjectedDiagram& diagram, const SiteTable& sites, CellMeasure measure,
                   const AngularReach& reach, std::vector<double>& measures);
 

@@ -140,10 +140,10 @@ class SphericalWalk {
 
   const ProjectedDiagram& diagram_;
   Direction point_;
-  double slack_;  // of comparisons, in radians
+  double slack_;  // tolerance of comparisons, in radians
   VertexId node_ = kNoVertex;
   HalfAngle toNode_;
-  bool isTied_ = false;  // has a site been seen that is as far as this one but for rounding?
+  bool isTied_ = false;  // has a site been seen that is as far as this one, up to rounding?
 };
 
 }  // namespace

@@ -20,7 +20,7 @@ void CellPolygons::followWithin(VertexId node, double reach) {
   listSectors(diagram_, node, chains_.vertices(), sectors_);
   strands_.clear();
   inner_.clear();
-  double turn = 0;  // of the sectors that are done
+  double turn = 0;  // sum of the widths of the sectors that are done
   if (graph.isEmpty()) {
     if (!sectors_.empty()) chains_.appendClosedWithin(node, sectors_[0], reach_, inner_, strands_);
     turn = 2 * std::numbers::pi;

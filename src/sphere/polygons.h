@@ -1,4 +1,4 @@
-// Cells of the sphere as polygons of longitudes and latitudes.
+// The cells of the sphere as polygons of longitudes and latitudes.
 #pragma once
 
 #include <span>
@@ -18,18 +18,18 @@ class CellPolygons {
   CellPolygons(const ProjectedDiagram& diagram, double tolerance, bool isCut,
                const AngularReach& reach, SphericalVertices::Of of);
 
-  /// Appends the cell of a visible site: one ring that has it at the left, none if it is the whole
-  /// sphere, or, where it is cut, rings of one part or more; nothing if it does not reach beyond
-  /// its centre.
+  /// Appends the cell of a visible site: one ring with the cell on its left, none if it is the
+  /// whole sphere, or, if cells are cut, the rings of one part or more; nothing if its reach does
+  /// not go beyond its centre.
   void append(VertexId node);
 
   [[nodiscard]] const LonLatRings& rings() const { return rings_; }
 
  private:
-  /// Puts the boundary into points_: parts of edges, and of the circle at the angle `reach`.
+  /// Writes the boundary to points_: parts of edges, and of the circle at the angle `reach`.
   void followWithin(VertexId node, double reach);
-  /// The boundary in points_ without its spurs: a ring does not go to a point and back the same
-  /// way, as around a cell without width.
+  /// Removes the spurs of the boundary in points_, and returns the rest. A spur goes to a point and
+  /// back the same way, as around a cell without width.
   [[nodiscard]] std::span<const MapPoint> withoutSpurs();
 
   const ProjectedDiagram& diagram_;
@@ -40,7 +40,7 @@ class CellPolygons {
   FlatArray<MapPoint> points_;
   FlatArray<Sector> sectors_;
   FlatArray<ChainMaker::Strand> strands_;
-  FlatArray<MapPoint> inner_;  // of the strands
+  FlatArray<MapPoint> inner_;  // points of the strands
   AntimeridianCutter cutter_;
 };
 

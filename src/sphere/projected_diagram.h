@@ -1,8 +1,8 @@
-// The sites of the sphere as circles of the plane, as seen from one visible site, the pole: where
-// each site is, and the plane's diagram. (projection.h)
+// The sites of the sphere as circles of the plane, projected from one visible site, the pole, and
+// the plane's diagram of these (projection.h).
 //
 // Nodes are the plane's vertices, and its vertex at infinity is the pole. A site has the same id in
-// the plane. Sites that the pole covers have no circle and are listed beside.
+// the plane. Sites that the pole covers have no circle and are listed separately.
 #pragma once
 
 #include <cstddef>
@@ -20,7 +20,7 @@
 
 namespace apollonius::internal::sphere {
 
-/// A hidden site, and one that covers it, which may be hidden, too.
+/// A hidden site, and a site that covers it, which may be hidden, too.
 struct HiddenSite {
   SiteId site = kNoSite;
   SiteId cover = kNoSite;
@@ -32,16 +32,16 @@ class ProjectedDiagram {
 
   /// Without sites.
   ProjectedDiagram() : plane_(Location::kHierarchy, Naming::kGiven) {}
-  /// Seen from `pole`, still without other sites, which Filling enters.
+  /// Projected from `pole`, still without other sites, which Filling enters.
   ProjectedDiagram(const Cap& poleCap, SiteId pole)
       : pole_(pole),
         poleCap_(poleCap),
         projection_(poleCap),
         plane_(Location::kHierarchy, Naming::kGiven) {}
 
-  /// Enters hidden sites, as hidden() has listed them; `caps` are those of all sites by id. False,
-  /// and unusable, if they cannot hang there. Throws std::bad_alloc. REQUIRES: all visible sites
-  /// have been entered; each hidden site is listed once.
+  /// Enters hidden sites, as listed by hidden(); `caps` are those of all sites by id. If their
+  /// covers do not cover them, returns false, and the diagram is unusable. Throws std::bad_alloc.
+  /// REQUIRES: all visible sites have been entered; each hidden site is listed once.
   [[nodiscard]] bool enterHidden(const FlatArray<Cap>& caps, std::span<const HiddenSite> hidden);
 
   // --- Reading. Sites are those of the table, nodes are vertices of the plane's graph.
@@ -56,7 +56,7 @@ class ProjectedDiagram {
   }
   /// The largest loss of a circle's accuracy (Projection::Image).
   [[nodiscard]] double loss() const { return loss_; }
-  /// Have circles lost so much that another pole should be looked for?
+  /// Have circles lost so much accuracy that another pole should be chosen?
   [[nodiscard]] bool isRough() const { return loss_ > kMostLoss; }
 
   [[nodiscard]] const Cap& cap(VertexId node) const {
@@ -69,26 +69,26 @@ class ProjectedDiagram {
     if (b == kInfinity) return Projection::riseFromPole(delaunay.site(a));
     return Projection::rise(delaunay.site(a), delaunay.site(b));
   }
-  /// The sine of the first one's weight minus the other's, as accurate.
+  /// The sine of the first one's weight minus the other's, equally accurate.
   [[nodiscard]] double shift(VertexId a, VertexId b) const {
     const DelaunayGraph& delaunay = plane_.delaunay();
     if (a == kInfinity) return Projection::shiftFromPole(delaunay.site(b));
     if (b == kInfinity) return -Projection::shiftFromPole(delaunay.site(a));
     return Projection::shift(delaunay.site(a), delaunay.site(b));
   }
-  /// Are two nodes so close that what is between them is told by their circles? Of those the graph
-  /// was made, and they are rounded in other ways than the caps.
+  /// Are two nodes so close that their circles are more accurate than their caps? The graph was
+  /// made of the circles, whose rounding differs from that of the caps.
   [[nodiscard]] bool areClose(VertexId a, VertexId b) const {
     const Direction chord = cap(b).centre - cap(a).centre;
     return dot(chord, chord) < kClose * kClose;
   }
-  /// A vector in the direction of the second of two close nodes as seen from the first, and in the
-  /// plane of their centres.
+  /// A vector in the direction from the first of two close nodes to the second, in the plane of
+  /// their centres.
   [[nodiscard]] Direction towards(VertexId from, VertexId to) const {
     const Direction chord = cap(to).centre - cap(from).centre;
     if (from == kInfinity || to == kInfinity) return chord;
-    // At the distance p from the pole, circles at the distance D have a direction to 2^-53 / p, and
-    // caps have that of their circles to 2^-53 p / D.
+    // At the distance p from the pole, the direction between circles at the distance D is accurate
+    // to 2^-53 / p, and the direction between their caps to 2^-53 p / D.
     const Direction away = cap(from).centre - poleCap_.centre;
     const double square = dot(away, away);
     if (dot(chord, chord) > square * square) return chord;
@@ -98,7 +98,7 @@ class ProjectedDiagram {
   [[nodiscard]] SiteId siteOf(VertexId node) const {
     return node == kInfinity ? pole_ : plane_.siteOf(node);
   }
-  /// kNoVertex for a site that the pole covers.
+  /// The node of a site; kNoVertex if the pole covers it.
   [[nodiscard]] VertexId nodeOf(SiteId id) const {
     if (id == pole_) return kInfinity;
     return isBelowPole(id) ? kNoVertex : vertexOf(plane_.ids().slotOf(id));
@@ -107,12 +107,13 @@ class ProjectedDiagram {
     return isBelowPole(id) ||
            (id != pole_ && plane_.ids().state(slotOf(nodeOf(id))) == SiteState::kHidden);
   }
-  /// Those that the pole covers.
+  /// The sites that the pole covers.
   [[nodiscard]] std::span<const SiteId> belowPole() const {
     return {belowPole_.data(), belowPole_.size()};
   }
 
-  /// All hidden sites. A cover that is hidden comes before what hangs on it. Throws std::bad_alloc.
+  /// All hidden sites. A hidden cover comes before the sites that hang on it. Throws
+  /// std::bad_alloc.
   [[nodiscard]] FlatArray<HiddenSite> hidden(const SiteTable& sites) const;
 
   /// A visible node that is probably close to a point; kNoVertex if none is known.
@@ -121,22 +122,23 @@ class ProjectedDiagram {
     return plane_.ids().state(slot) == SiteState::kVisible ? vertexOf(slot) : kNoVertex;
   }
 
-  /// Numbers of directions that are close to each other are mostly close, too.
+  /// The number of a direction's cell. Close directions have mostly close numbers.
   [[nodiscard]] std::uint32_t cellOf(const Direction& point) const { return grid_.cellOf(point); }
 
-  // --- Changing. What returns false has changed nothing, and all is to be projected from another
-  // pole: because the pole is concerned or gets hidden, or a circle would lose too much accuracy.
-  // All throw std::bad_alloc and have changed nothing then.
+  // --- Changing. If a call returns false, it has changed nothing, and all sites have to be
+  // projected from another pole: because the pole is affected or gets hidden, or a circle would
+  // lose too much accuracy. All throw std::bad_alloc and have changed nothing then.
 
-  /// Sites that have come into the table.
+  /// Inserts sites that have come into the table.
   [[nodiscard]] bool insert(const SiteTable& sites, std::span<const SiteId> ids);
-  /// Sites that are about to leave it, each once.
+  /// Removes sites that are about to leave the table, each once.
   [[nodiscard]] bool remove(std::span<const SiteId> ids);
-  /// Sites that have moved in the table. The last of several entries of one site counts, as there.
+  /// Updates sites that have moved in the table. The last of several entries of one site counts, as
+  /// there.
   [[nodiscard]] bool update(const SiteTable& sites, std::span<const SiteId> ids);
 
-  /// A broken invariant of what is kept beside the plane's diagram, or nullptr; `where` receives a
-  /// site.
+  /// A broken invariant of the data kept in addition to the plane's diagram, or nullptr; `where`
+  /// receives a site.
   [[nodiscard]] const char* check(const SiteTable& sites, std::uint32_t& where) const;
 
  private:
@@ -146,7 +148,7 @@ class ProjectedDiagram {
   [[nodiscard]] bool isBelowPole(SiteId id) const {
     return id != pole_ && plane_.ids().slotOf(id) == kNoSlot;
   }
-  /// Enters a hidden site of a snapshot. False if its cover is not seen to cover it.
+  /// Enters a hidden site of a snapshot. False if its cover does not cover it, as computed.
   [[nodiscard]] bool enterBelow(const HiddenSite& hidden, const Cap& cap);
   [[nodiscard]] bool isTooRough(double loss) const;
   void reserve(std::size_t idLimit, std::size_t circles);
@@ -155,11 +157,11 @@ class ProjectedDiagram {
     caps_[slot] = cap;
     if (plane_.ids().state(slot) == SiteState::kVisible) grid_.set(cap.centre, slot);
   }
-  /// There is room. A site that is identical to the pole becomes the pole itself if its id is less,
-  /// and what has been the pole is below it.
+  /// Enters a site that the pole covers. A site that is identical to the pole becomes the pole
+  /// itself if its id is less, and the former pole is below it. REQUIRES: room.
   void enterBelowPole(SiteId id, const Cap& cap) noexcept;
   void leaveBelowPole(SiteId id) noexcept;
-  // Without arrays of what is done.
+  // The changes for one site, without arrays.
   [[nodiscard]] bool insertOne(const SiteTable& sites, SiteId id);
   [[nodiscard]] bool removeOne(SiteId id);
   [[nodiscard]] bool updateOne(const SiteTable& sites, SiteId id);
@@ -170,26 +172,28 @@ class ProjectedDiagram {
   DiagramCore plane_;
   FlatArray<Cap> caps_;  // by slot of the plane
   FlatArray<SiteId> belowPole_;
-  FlatArray<std::uint32_t> placeBelowPole_;  // by site that the pole covers: its index there
+  FlatArray<std::uint32_t>
+      placeBelowPole_;  // by site that the pole covers: its index in belowPole_
   DirectionGrid grid_;
   double loss_ = 1;
 };
 
-/// Enters all sites of a diagram that has none but its pole, in steps.
+/// Enters all sites of a diagram that has only its pole, in steps.
 class ProjectedDiagram::Filling {
  public:
-  /// Of the sites of the table with these ids, whose caps these are by id: all that are visible,
-  /// and of the hidden ones any. The diagram, the table and the caps stay where they are, and the
-  /// diagram is unusable until all is done. Throws std::bad_alloc. REQUIRES: the pole is visible
-  /// and not among the ids.
+  /// Enters the sites of the table with these ids: all visible ones, and any of the hidden ones.
+  /// `caps` are those of all sites by id. The diagram, the table and the caps must stay where they
+  /// are, and the diagram is unusable until all is done. Throws std::bad_alloc. REQUIRES: the pole
+  /// is visible and not among the ids.
   Filling(ProjectedDiagram& diagram, const SiteTable& sites, const FlatArray<Cap>& caps,
           FlatArray<SiteId> ids);
 
-  /// Goes on by about `steps`, of about a microsecond each; is that all? Throws std::bad_alloc, and
-  /// has to be given up then. Cost, of all: that of building a diagram of the plane.
+  /// Goes on by about `steps`, of about a microsecond each. True if all is done. Throws
+  /// std::bad_alloc, and has to be given up then. Total cost: that of building a diagram of the
+  /// plane.
   bool advance(std::size_t steps);
 
-  /// Of all that there is to do, 0 to 1, as far as time can be foreseen.
+  /// The share of the work that is done, 0 to 1, by estimated time.
   [[nodiscard]] double progress() const;
 
  private:
@@ -200,12 +204,13 @@ class ProjectedDiagram::Filling {
 
   ProjectedDiagram& diagram_;
   const FlatArray<Cap>& caps_;
-  FlatArray<SiteId> ids_;  // those that have a circle, as far as that is known
+  FlatArray<SiteId> ids_;  // those with a circle, as far as known yet
   Step step_ = Step::kProject;
-  std::size_t done_ = 0;  // of ids_, in this step
+  std::size_t done_ = 0;  // number of ids_ done in this step
   std::size_t circleCount_ = 0;
-  FlatArray<double> circles_;               // x, y, r of those that have one, until they are staged
-  std::optional<BulkInsertion> insertion_;  // last: it is undone while the ids are there
+  FlatArray<double> circles_;  // x, y, r of the sites with a circle, until they are staged
+  std::optional<BulkInsertion>
+      insertion_;  // the last member: it is undone while the ids still exist
 };
 
 }  // namespace apollonius::internal::sphere

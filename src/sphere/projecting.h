@@ -20,20 +20,21 @@ class Projecting {
   Projecting(const Projecting&) = delete;
   Projecting& operator=(const Projecting&) = delete;
 
-  /// Goes on by about `steps`, of about a microsecond each; is that all? Throws std::bad_alloc, and
-  /// has to be given up then. Cost, of all: that of building a diagram of the plane.
+  /// Goes on by about `steps`, of about a microsecond each. True if all is done. Throws
+  /// std::bad_alloc, and has to be given up then. Total cost: that of building a diagram of the
+  /// plane.
   bool advance(std::size_t steps);
   void finish() {
     while (!advance(BulkInsertion::kAllAtOnce)) {
     }
   }
 
-  /// Of all that there is to do, 0 to 1, as far as time can be foreseen. Never falls.
+  /// The share of the work that is done, 0 to 1, by estimated time. Never falls.
   [[nodiscard]] double progress() const { return progress_; }
 
-  /// What has been made. REQUIRES: finished.
+  /// The diagram made. REQUIRES: finished.
   [[nodiscard]] ProjectedDiagram& diagram() { return diagram_; }
-  /// For drawing the next pole.
+  /// The seed for choosing the next pole.
   [[nodiscard]] std::uint64_t seed() const { return seed_; }
 
  private:
@@ -46,12 +47,12 @@ class Projecting {
   std::uint64_t seed_;
   FlatArray<Cap> caps_;  // by id
   Step step_ = Step::kCaps;
-  SiteId next_ = 0;  // whose cap is made next
-  int poles_ = 0;    // that have been tried
+  SiteId next_ = 0;  // the site whose cap is made next
+  int poles_ = 0;    // number of poles tried
   double progress_ = 0;
   std::optional<PoleChoice> choice_;
   ProjectedDiagram diagram_;
-  std::optional<ProjectedDiagram::Filling> filling_;  // of diagram_
+  std::optional<ProjectedDiagram::Filling> filling_;  // fills diagram_
 };
 
 }  // namespace apollonius::internal::sphere

@@ -8,7 +8,8 @@
 namespace apollonius::internal::sphere {
 
 Projection::Projection(const Cap& pole) : pole_(pole) {
-  if (pole.centre.x == 0 && pole.centre.y == 0 && pole.centre.z == 0) return;  // of no diagram
+  if (pole.centre.x == 0 && pole.centre.y == 0 && pole.centre.z == 0)
+    return;  // the pole of an empty diagram
   const Frame frame(pole.centre);
   const auto onGrid = [](const Direction& a) {
     return Direction{toGrid(a.x), toGrid(a.y), toGrid(a.z)};

@@ -8,7 +8,8 @@
 // half-plane if it touches the pole. Hence the Delaunay graph of the circles, with its vertex at
 // infinity, is the Delaunay graph of the sphere, with the pole. (docs/PROOFS.md, "The sphere".)
 //
-// Nearest sites are not kept, as centres of circles are not images of centres of caps.
+// The projection does not preserve nearest sites, as centres of circles are not images of centres
+// of caps.
 #pragma once
 
 #include <cstdint>
@@ -39,47 +40,47 @@ class Projection {
   [[nodiscard]] Image image(const Cap& cap) const {
     return image(cap.centre, cap.radius - pole_.radius);
   }
-  /// Of the cap about a point that a site touches which is at this distance.
+  /// The image of the cap about a point that a site at this distance touches.
   [[nodiscard]] Image imageOfTouching(const Direction& point, const HalfAngle& distance) const {
     return image(point, distance + pole_.radius);
   }
-  /// Of a point: its circle has the radius 0, and it has none at the pole.
+  /// The image of a point: a circle of radius 0, or none at the pole.
   [[nodiscard]] Image imageOfPoint(const Direction& point) const { return image(point, {}); }
 
   /// cos d - cos D of two caps with these circles, D being the angle between their centres and d
-  /// the difference of their weights: 0 where one touches the other from inside. To a small
-  /// relative error, as the circles have it, which tell exactly what is hidden.
+  /// the difference of their weights: 0 where one touches the other from inside. The relative error
+  /// is small for the circles given, which tell exactly what is hidden.
   [[nodiscard]] static double rise(const Site& a, const Site& b);
-  /// The same of the pole and a cap with this circle.
+  /// rise() of the pole and a cap with this circle.
   [[nodiscard]] static double riseFromPole(const Site& circle);
 
-  /// sin d of the first cap minus the second, likewise.
+  /// sin d, d being the weight of the first cap minus that of the second; equally accurate.
   [[nodiscard]] static double shift(const Site& a, const Site& b);
-  /// The same of the pole and a cap with this circle.
+  /// shift() of the pole and a cap with this circle.
   [[nodiscard]] static double shiftFromPole(const Site& circle) {
     return -circle.r * riseFromPole(circle);
   }
-  /// A vector in the direction of the second cap as seen from the first, and in the plane of their
-  /// centres: by their circles, however close they are.
+  /// A vector in the direction from the first cap to the second, in the plane of their centres:
+  /// computed from their circles, so that they may be arbitrarily close.
   [[nodiscard]] Direction towards(const Site& from, const Site& to) const;
 
-  /// An empty cap that touches sites from outside: its centre, and its radius as an angle, which is
-  /// the distance to the sites.
+  /// An empty cap that touches sites from outside: its centre, and its radius as an angle, the
+  /// distance to the sites.
   struct EmptyCap {
     Direction centre;
     double radius = 0;
   };
-  /// That of a circle with centre (x, y) and radius s, which touches another. Of several the one
-  /// closest to the origin loses least.
+  /// The empty cap of a circle with centre (x, y) and radius s, which touches the circle `touched`.
+  /// If there are several, the touched circle closest to the origin gives the best accuracy.
   [[nodiscard]] EmptyCap fromCircle(double x, double y, double s, const Site& touched) const;
-  /// That of the half-plane with inner normal (a, b) that touches a circle, likewise.
+  /// The empty cap of the half-plane with inner normal (a, b) that touches the circle `touched`.
   [[nodiscard]] EmptyCap fromHalfPlane(double a, double b, const Site& touched) const;
 
  private:
-  /// Of a cap whose radius has been reduced.
+  /// The image of a cap whose radius has been reduced by the pole's.
   [[nodiscard]] Image image(const Direction& centre, const HalfAngle& reduced) const;
-  /// At an angle from the antipode of the pole, in the direction of the plane's (x, y), a unit
-  /// vector.
+  /// The point at an angle from the antipode of the pole, in the direction of the plane's unit
+  /// vector (x, y).
   [[nodiscard]] Direction pointAt(double angle, double x, double y) const;
 
   Cap pole_;

@@ -1,5 +1,5 @@
-// The sites of a spherical diagram as they were given, by id, and which ids are free. Changes can
-// be undone in reverse order, without memory.
+// The sites of a spherical diagram as they were given, by id, and the free ids. Changes can be
+// undone in reverse order, without allocating memory.
 #pragma once
 
 #include <algorithm>
@@ -20,7 +20,7 @@ struct SphericalSite {
 
 class SiteTable {
  public:
-  /// On a sphere of this radius.
+  /// A table for a sphere of this radius.
   explicit SiteTable(double radius) : radius_(radius) {}
 
   [[nodiscard]] double radius() const { return radius_; }
@@ -28,7 +28,7 @@ class SiteTable {
   [[nodiscard]] SiteId idLimit() const { return static_cast<SiteId>(rows_.size()); }
   [[nodiscard]] bool has(SiteId id) const { return id < rows_.size() && nextFree_[id] == kUsed; }
   [[nodiscard]] const SphericalSite& operator[](SiteId id) const { return rows_[id]; }
-  /// Of all sites by id; what stands at free ids is undefined. Throws std::bad_alloc.
+  /// The caps of all sites by id; entries of free ids are undefined. Throws std::bad_alloc.
   [[nodiscard]] FlatArray<Cap> caps() const {
     FlatArray<Cap> caps(idLimit());
     for (SiteId id = 0; id < idLimit(); ++id) {
@@ -38,7 +38,7 @@ class SiteTable {
   }
   [[nodiscard]] Cap cap(SiteId id) const { return capOf(rows_[id].centre, rows_[id].r / radius_); }
 
-  /// Room for this many more sites. Throws std::bad_alloc.
+  /// Makes room for this many more sites. Throws std::bad_alloc.
   void reserve(std::size_t more) {
     const std::size_t slots = std::max(rows_.size(), size_ + more);
     if (slots <= std::min(rows_.capacity(), nextFree_.capacity())) return;
@@ -46,7 +46,7 @@ class SiteTable {
     rows_.reserve(room);
     nextFree_.reserve(room);
   }
-  /// The id that was freed last, or a new one. REQUIRES: room.
+  /// Adds a site with the id that was freed last, or a new one. REQUIRES: room.
   SiteId take(const SphericalSite& site) {
     SiteId id = firstFree_;
     if (id == kNoSite) {
@@ -66,7 +66,7 @@ class SiteTable {
     firstFree_ = id;
     --size_;
   }
-  /// Undoes the last take(), which returned this id; `limit` is what idLimit() was before.
+  /// Undoes the last take(), which returned this id; `limit` is idLimit() before it.
   void undoTake(SiteId id, SiteId limit) {
     if (id < limit) {
       release(id);
@@ -76,7 +76,7 @@ class SiteTable {
       --size_;
     }
   }
-  /// Undoes the last release(), which was of this id.
+  /// Undoes the last release(), which released this id.
   void undoRelease(SiteId id) {
     firstFree_ = nextFree_[id];
     nextFree_[id] = kUsed;

@@ -1,4 +1,5 @@
-// The dynamic diagram of the sphere: the sites by id, their projection, and when that is made anew.
+// The dynamic diagram of the sphere: the sites by id, and their projection, which is renewed when
+// necessary.
 // Arguments have been checked by the caller (src/api); lack of memory is thrown as std::bad_alloc
 // with the diagram as it was before the call.
 #pragma once
@@ -21,9 +22,9 @@ class SphericalCore {
   explicit SphericalCore(double radius) : sites_(radius) {}
 
   SiteId insert(const SphericalSite& site);
-  /// Longitude, latitude and weight of each; ids[k] becomes the id of triple k.
+  /// Adds longitude, latitude, weight triples; ids[k] becomes the id of triple k.
   void insertMany(std::span<const double> sites, std::span<SiteId> ids);
-  /// How many of the ids were in use.
+  /// Removes sites. Returns how many of the ids were in use.
   std::size_t removeMany(std::span<const SiteId> ids);
   void update(SiteId id, const SphericalSite& site);
   void updateMany(std::span<const SiteId> ids, std::span<const double> sites);
@@ -33,18 +34,18 @@ class SphericalCore {
 
   [[nodiscard]] const SiteTable& sites() const { return sites_; }
   [[nodiscard]] const ProjectedDiagram& projected() const { return projected_; }
-  /// Another number after each change.
+  /// Number of the state: another one after each change.
   [[nodiscard]] std::uint64_t revision() const { return revision_; }
-  /// Comes after another state of the same diagram.
+  /// Makes this state the successor of another one of the same diagram.
   void follow(const SphericalCore& before) { revision_ = before.revision_ + 1; }
   /// For drawing the next pole.
   [[nodiscard]] std::uint64_t seed() const { return seed_; }
 
-  /// The sites, the free ids and the pole, from which restore() builds the diagram; replaces the
-  /// contents of `bytes`.
+  /// Writes the sites, the free ids and the pole, from which restore() builds the diagram; replaces
+  /// the contents of `bytes`.
   void save(std::vector<std::uint8_t>& bytes) const;
-  /// False if the bytes are no snapshot. REQUIRES: a new diagram, which is unusable after a
-  /// failure; the sphere gets the radius that was saved.
+  /// Builds the diagram from the bytes; the sphere gets the radius that was saved. Returns false if
+  /// they are no snapshot. REQUIRES: a new diagram, which is unusable after a failure.
   [[nodiscard]] bool restore(std::span<const std::uint8_t> bytes);
 
   /// The first broken invariant. Throws std::bad_alloc. Cost: O(n), slow: for tests.
@@ -53,15 +54,15 @@ class SphericalCore {
  private:
   friend class Restoring;  // fills a new diagram
 
-  /// Projects all sites of the table from a pole that is chosen now.
+  /// Chooses a pole and projects all sites of the table from it.
   void project();
   void take(Projecting& finished) noexcept;
-  /// Sites that are in the table and in no projection yet.
+  /// Enters sites that are in the table and in no projection yet.
   void enter(std::span<const SiteId> ids);
 
   SiteTable sites_;
   ProjectedDiagram projected_;
-  std::size_t sizeAtChoice_ = 0;  // of the table, when the pole was chosen
+  std::size_t sizeAtChoice_ = 0;  // the table's size when the pole was chosen
   std::uint64_t seed_ = 1;
   std::uint64_t revision_ = 0;
   FlatArray<SiteId> removed_;        // scratch

@@ -14,8 +14,8 @@ struct SphericalVertex {
   double clearance = 0;  ///< in radians
 };
 
-/// The three equations of a vertex solved from an approximation. Accurate to some 10^-15 radians
-/// where the sites determine it that well.
+/// Solves the three equations of a vertex, starting from an approximation. Accurate to some 10^-15
+/// radians where the sites determine it that well.
 [[nodiscard]] SphericalVertex refined(const SphericalVertex& start,
                                       const std::array<const Cap*, 3>& caps);
 
@@ -24,7 +24,7 @@ struct SphericalVertex {
 /// touch one cap, the faces of that cap have one vertex.
 class SphericalVertices {
  public:
-  /// Which faces will be asked for: with all of them, each has its place in an array at once.
+  /// Which faces will be needed: with kAll, each has its own place in an array.
   enum class Of : bool { kSome, kAll };
 
   /// The diagram must stay as it is. Throws std::bad_alloc.
@@ -37,22 +37,22 @@ class SphericalVertices {
   [[nodiscard]] const SphericalVertex& operator[](FaceId face);
 
  private:
-  // In a table by face, at most half full, one cell costs what it has of them.
+  // With kSome, a hash table by face, at most half full: the cost of one cell is that of its faces.
   struct Entry {
     FaceId face = kNoFace;
-    FaceId same = kNoFace;  // whose vertex this face has; kNoFace if that is not known yet
+    FaceId same = kNoFace;  // the face that stands for this face's vertex; kNoFace if not known yet
     SphericalVertex vertex = {};
-    bool isRefined = false;  // no two of the sites are close
+    bool isRefined = false;  // no two of the vertex's sites are close
   };
   [[nodiscard]] std::size_t placeOf(FaceId face) const;
-  /// With the vertex of this face alone.
+  /// The entry of a face, with the vertex of this face alone.
   [[nodiscard]] Entry& entryOf(FaceId face);
   void grow();
   [[nodiscard]] Entry computed(FaceId face) const;
   void findSame(FaceId face);
 
   const ProjectedDiagram& diagram_;
-  bool isDirect_;  // entries_ are by face, and a table otherwise
+  bool isDirect_;  // are entries_ by face, rather than a hash table?
   FlatArray<Entry> entries_;
   std::size_t used_ = 0;
   FlatArray<FaceId> reached_;  // scratch

@@ -1,5 +1,5 @@
-// What can be walked through of the graph, for range-based loops: the half-edges around a vertex,
-// all faces, all edges. A range is valid until the graph changes.
+// Ranges of the graph, for range-based loops: the half-edges around a vertex, all faces, all edges.
+// A range is valid until the graph changes.
 #pragma once
 
 #include <cstdint>

@@ -37,7 +37,7 @@ bool Graph::restore(WordReader& in, std::size_t vertexSlots, std::size_t faceSlo
     } while (h != begin);
   }
 
-  // Of a face all three half-edges have got an origin, three different ones, or none has.
+  // The three half-edges of a face have three different origins, or none has an origin.
   freeFaces_ = 0;
   for (std::size_t i = 0; i < halfedges_.size(); i += 3) {
     const VertexId a = halfedges_[i].origin, b = halfedges_[i + 1].origin,

@@ -1,5 +1,5 @@
-// One set of circles twice, under one pointer: in the first picture the nearest centre is picked, in the
-// second the nearest circle. Where they differ is computed, not drawn by hand.
+// One set of circles twice, under one pointer: in the first picture the nearest centre is picked,
+// in the second the nearest circle. Where they differ is computed, not drawn by hand.
 import { Diagram } from "apollonius-diagram";
 import { figure, type Point } from "../figure/figure.js";
 import { drawPointer, type Pen } from "../figure/pen.js";

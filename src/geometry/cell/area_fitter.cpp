@@ -12,24 +12,25 @@ namespace apollonius::internal {
 
 namespace {
 
-/// All of the regularization at first, as a share of the region's area.
+/// Total regularization at first, as a share of the region's area.
 constexpr double kFirstGround = 1e-4;
-/// To so much of it it falls when areas are so near their targets; less of it in all than this
-/// share of the smallest target is as good as none.
+/// Factor by which it falls while the areas are within kNearEnough of their targets. It is dropped
+/// when its total is less than kLeastGround of the smallest target.
 constexpr double kNextGround = 0.1;
 constexpr double kNearEnough = 0.3;
 constexpr double kLeastGround = 1e-3;
-/// Around a region is nothing if it is less than this share of it.
+/// The surroundings of a region are ignored if they are less than this share of it.
 constexpr double kLeastOutside = 1e-3;
-/// So much of the way to where one site covers another.
+/// Largest share of the way to where one site covers another that a step takes.
 constexpr double kShareOfWay = 0.9;
-/// More than this much of it makes a coupling stiffer, by a little more than would do.
+/// A direction that takes more than this share of it makes the coupling stiffer, by
+/// kMoreThanEnough times what would suffice.
 constexpr double kShareOfRoom = 0.7;
 constexpr double kMoreThanEnough = 1.5;
 constexpr int kStiffenings = 3;
 /// A cell has nearly vanished when it is this share of what it was or should be.
 constexpr double kVanished = 1e-4;
-/// Of how much less than the residual an equation's may be: far away, and near the end.
+/// Relative tolerance of the linear solve: loose far away, tight near the end.
 constexpr double kCoarse = 0.01;
 constexpr double kMedium = 1e-4;
 constexpr double kFine = 1e-7;
@@ -39,8 +40,8 @@ constexpr double kRounding = 1e-12;
 /// Two units in the last place of a double, as a share of it.
 constexpr double kLastPlaces = powerOfTwo(-51);
 
-/// log r of r >= 1 that is finite, with + - * / and roots only: 2 artanh((r-1)/(r+1)), of roots
-/// near 1.
+/// Natural logarithm of a finite r >= 1, with + - * / and roots only: takes roots until r is near
+/// 1, then sums up 2 artanh((r-1)/(r+1)).
 double logarithm(double r) {
   double scale = 2;
   for (; r > 1.5; scale *= 2) r = std::sqrt(r);
@@ -138,7 +139,7 @@ std::uint32_t AreaFitter::begin(std::span<const double> targets, std::span<const
   return kNone;
 }
 
-/// x, y, r by index.
+/// Circles x, y, r by index.
 FlatArray<double> AreaFitter::circlesOf(const State& state) const {
   FlatArray<double> xyr;
   for (std::size_t k = 0; k < sites_.size(); ++k) {
@@ -148,8 +149,8 @@ FlatArray<double> AreaFitter::circlesOf(const State& state) const {
   return xyr;
 }
 
-/// How much area has to go from one part of the region to another where no edge between cells
-/// connects the parts: weights can change there without any area doing so.
+/// Area that has to go from one part of the region to another, where no edge between cells connects
+/// the parts: there, weights can change while all areas stay.
 double AreaFitter::areaApart() const {
   const std::size_t count = sites_.size();
   FlatArray<std::uint32_t> parts(count);
@@ -168,7 +169,7 @@ double AreaFitter::areaApart() const {
   return most > kRounding * whole ? most : 0;
 }
 
-/// From now on with regularization of this density.
+/// Sets the density of the regularization from now on.
 void AreaFitter::setRegularization(double density) {
   regularization_ = density;
   sumUp(best_);
@@ -176,14 +177,14 @@ void AreaFitter::setRegularization(double density) {
   scaleTo(targets_, sumOf(best_.areas));
 }
 
-/// The same, where there was none. The diagram has the best weights: a step that fails, and leaves
-/// others, has been here before if it had to.
+/// Begins a regularization of this density where there was none. The diagram has the best weights
+/// then: a step that failed and left others had already called this if it was needed.
 void AreaFitter::regularize(double density) {
   measureIn(around_, precision_, best_.around, best_.couplingsAround);
   setRegularization(density);
 }
 
-/// The best weights, and all that are tried from now on.
+/// Measures the best weights again, with reproducible vertices, as all that are tried from now on.
 void AreaFitter::measureExactly() {
   tried_.weights = best_.weights;
   measure(tried_, VertexPrecision::kReproducible);
@@ -194,7 +195,7 @@ void AreaFitter::measureExactly() {
 
 void AreaFitter::takeTried() noexcept { std::swap(best_, tried_); }
 
-/// What the weights of a state lead to.
+/// Computes the areas and couplings that the weights of a state lead to.
 void AreaFitter::measure(State& state, VertexPrecision precision) {
   const std::size_t count = sites_.size();
   FlatArray<SiteId> ids(count);
@@ -207,7 +208,7 @@ void AreaFitter::measure(State& state, VertexPrecision precision) {
   sumUp(state);
 }
 
-/// Areas with their share of the regularization.
+/// Sets the areas of a state: those inside, and their share of the regularization.
 void AreaFitter::sumUp(State& state) const {
   state.areas.resize(state.inside.size());
   for (std::size_t k = 0; k < state.areas.size(); ++k)
@@ -215,7 +216,7 @@ void AreaFitter::sumUp(State& state) const {
         state.inside[k] + (regularization_ > 0 ? regularization_ * state.around[k] : 0);
 }
 
-/// Areas and couplings in a region, for the weights that the diagram has.
+/// Computes areas and couplings in a region, for the weights that the diagram has.
 void AreaFitter::measureIn(const NormalizedPolygon& polygon, VertexPrecision precision,
                            FlatArray<double>& areas, FlatArray<Coupling>& couplings) const {
   const ClippedDiagram clippedDiagram(core_, polygon);
@@ -247,14 +248,15 @@ double AreaFitter::deviationOf(std::span<const double> areas) const {
   return largest;
 }
 
-/// By how much the difference of two weights can still change, the way it does in the direction.
+/// How far the difference of two weights can still change, in the sense in which the direction
+/// changes it, until one site covers the other.
 double AreaFitter::roomFor(const Coupling& c) const {
   const double apart = length({sites_[c.i].x - sites_[c.j].x, sites_[c.i].y - sites_[c.j].y});
   const double difference = best_.weights[c.i] - best_.weights[c.j];
   return direction_[c.i] > direction_[c.j] ? apart - difference : apart + difference;
 }
 
-/// Of the concave function, in the direction.
+/// Slope of the concave function at a state, along the direction.
 double AreaFitter::slopeAt(const State& state) const {
   double slope = 0;
   for (std::size_t k = 0; k < targets_.size(); ++k)
@@ -266,18 +268,18 @@ bool AreaFitter::step() {
   if (sites_.empty()) return false;
   const double all = around_.box.width() * around_.box.height();
   const double apart = hasAround_ ? areaApart() : 0;
-  // All that is around counts less than what has to go to another part: so the edge between goes
-  // through the gap.
+  // The total regularization is less than the area that has to go to another part: so the edge
+  // between them crosses the gap.
   if (apart > 0 && regularization_ == 0) regularize(kNextGround * apart / all);
   double far = deviationOf(best_.areas);
   for (; regularization_ > 0 && far < kNearEnough && apart == 0; far = deviationOf(best_.areas)) {
     const double less = kNextGround * regularization_;
     setRegularization(less * all < kLeastGround * smallestOf(targets_) ? 0 : less);
   }
-  // Where steps have become short, none must be wrong about a small cell.
+  // Once steps are short, each must be accurate for small cells, too.
   findDirection(far < kCoarse ? kFine : last_ < 0.25 ? kMedium : kCoarse);
   const bool isLast = regularization_ == 0 && isWithinRounding();
-  // The areas may be off by what cached vertices are.
+  // The areas may have the errors of cached vertices.
   if (isLast && precision_ == VertexPrecision::kRough) {
     measureExactly();
     return true;
@@ -285,9 +287,9 @@ bool AreaFitter::step() {
   const double before = error();
   double share = longestShare();
   for (int halvings = 0; halvings < kMostHalvings; ++halvings, share /= 2) {
-    // The function is concave: a slope that has hardly turned is not far behind the maximum.
+    // The function is concave: where its slope is only slightly negative, the maximum is near.
     if (!tryStep(share) || !(slopeAt(tried_) >= -slopeAt(best_) / 2)) continue;
-    // At the end the areas of small cells count more than the last places of cached vertices.
+    // Near the end, cached vertices are not accurate enough for the areas of small cells.
     if (precision_ == VertexPrecision::kRough && deviationOf(tried_.inside) < kCoarse) {
       measure(tried_, VertexPrecision::kReproducible);
       precision_ = VertexPrecision::kReproducible;
@@ -302,8 +304,8 @@ bool AreaFitter::step() {
   return false;
 }
 
-/// Does the direction change nothing but last places: of weights, or of the numbers that vertices
-/// come of?
+/// Does the direction change only the last places: of weights, or of the coordinates that vertices
+/// are computed from?
 bool AreaFitter::isWithinRounding() const {
   for (std::size_t k = 0; k < direction_.size(); ++k) {
     const Site& site = sites_[k];
@@ -313,8 +315,7 @@ bool AreaFitter::isWithinRounding() const {
   return true;
 }
 
-/// What comes of so much of the direction; false if a weight leaves the range, or a cell nearly
-/// vanishes.
+/// Tries this share of the step; false if a weight leaves the range, or a cell nearly vanishes.
 bool AreaFitter::tryStep(double share) {
   tried_.weights.resize(direction_.size());
   for (std::size_t k = 0; k < direction_.size(); ++k) {
@@ -328,7 +329,7 @@ bool AreaFitter::tryStep(double share) {
   return true;
 }
 
-/// How much of the direction can be taken at most.
+/// The largest share of the direction that may be taken.
 double AreaFitter::longestShare() const {
   double share = 1;
   for (const Coupling& c : couplings_) {
@@ -338,7 +339,7 @@ double AreaFitter::longestShare() const {
   return share;
 }
 
-/// Newton's direction, with couplings stiffened until it has room.
+/// Computes Newton's direction, and stiffens couplings until it has room.
 void AreaFitter::findDirection(double tolerance) {
   couplings_ = best_.couplings;
   if (regularization_ > 0) {
@@ -360,20 +361,20 @@ void AreaFitter::findDirection(double tolerance) {
   }
 }
 
-/// The direction in which, to first order, areas become the targets: conjugate gradients, from the
-/// last direction on if that is a guess. What all weights have in common changes nothing; its mean
-/// is left as it is.
+/// Computes the direction in which, to first order, the areas become the targets, by conjugate
+/// gradients. They start at the last direction if `isGuess`. To add one number to all weights
+/// changes no area, so the mean of the direction is set to 0.
 ///
-/// With the couplings' matrix scaled to a diagonal of 1, I + L + U (L below it, U above), they run
-/// on (I + L)^-1 (I + L + U) (I + U)^-1, which takes half as many steps or less; and one costs what
-/// it did: the product with y is t + (I + L)^-1 (y - t), t = (I + U)^-1 y (Eisenstat, Efficient
-/// implementation of a class of preconditioned conjugate gradient methods, 1981).
+/// With the couplings' matrix scaled to a diagonal of 1, I + L + U (L below it, U above), the
+/// method runs on (I + L)^-1 (I + L + U) (I + U)^-1. This takes half as many steps or less, and a
+/// step costs no more: the product with y is t + (I + L)^-1 (y - t), t = (I + U)^-1 y (Eisenstat,
+/// Efficient implementation of a class of preconditioned conjugate gradient methods, 1981).
 void AreaFitter::solve(double tolerance, bool isGuess) {
   const std::size_t count = targets_.size();
   const CouplingMatrix matrix(count, couplings_);
   FlatArray<double> solution(count, 0), rest(count), way(count), upper(count), image(count);
   for (std::size_t k = 0; k < count; ++k) rest[k] = targets_[k] - best_.areas[k];
-  // Zero in all but rounding, without which there is no solution.
+  // The sum is zero up to rounding. There is a solution only if it is zero.
   const double surplus = sumOf(rest) / static_cast<double>(count);
   for (std::size_t k = 0; k < count; ++k) rest[k] = matrix.scale(k) * (rest[k] - surplus);
   way = rest;

@@ -19,8 +19,8 @@
 //     is left as areas come near their targets, and none at the end. Where an edge is in the sea
 //     between islands, it counts again until the edge is on land.
 //
-// Equations are solved by preconditioned conjugate gradients (solve()). All of it
-// happens in a diagram of its own, so that the one in question is as it was until it is done.
+// Equations are solved by preconditioned conjugate gradients (solve()). The fitter works on a
+// diagram of its own: the caller's stays as it is.
 #pragma once
 
 #include <cstdint>
@@ -34,42 +34,45 @@
 
 namespace apollonius::internal {
 
-/// The integral of 1 / |∇d_i - ∇d_j| along the piece of a bisector from E = e0 to e1: by so much
-/// the area of i grows, and that of j falls, for each unit of weight that i gains. On the hyperbola
+/// The integral of 1 / |∇d_i - ∇d_j| along the piece of a bisector from E = e0 to e1: what the area
+/// of i gains, and that of j loses, for each unit of weight that i gains. On the hyperbola
 /// (A cosh μ, B sinh μ) with its foci f from the middle it is F(μ1) - F(μ0), with
 ///
 ///     F(μ) = f²/(2B) (sinh(2μ)/4 - μ/2 + μ B²/f²).
 ///
 /// It is infinite if e1 / e0 is beyond doubles: then it is f/8 times as much at least, which is far
-/// more than kLargestMagnitude, however near each other two sites are.
+/// more than kLargestMagnitude, however close two sites are.
 [[nodiscard]] double areaDerivative(const Bisector& bisector, double e0, double e1);
 
 class AreaFitter {
  public:
-  /// Of the sites of a diagram as they are now, hidden ones too, with the indices 0, 1, 2, … in the
-  /// order of their slots. REQUIRES: `polygon` lives as long.
+  /// Copies the sites of a diagram, hidden ones too. Their indices 0, 1, 2, … follow the order of
+  /// their slots. REQUIRES: `polygon` lives as long.
   AreaFitter(const DiagramCore& core, const NormalizedPolygon& polygon);
 
   [[nodiscard]] std::span<const SiteId> ids() const { return ids_; }
-  /// x, y, r by index, with the weights that have been reached.
+  /// Circles x, y, r by index, with the weights that have been reached.
   [[nodiscard]] FlatArray<double> circles() const { return circlesOf(best_); }
-  /// As a site can have it.
+  /// The weight that has been reached, as a site can have it.
   [[nodiscard]] double weightOf(std::size_t index) const;
 
-  /// Targets and weights to start from, by index; if with these some cell is empty, or there are
-  /// none, equal ones. kNone, or the index of a cell that is empty with equal weights.
+  /// Sets targets and the weights to start from, by index. Starts from equal weights if `start` is
+  /// empty, or some cell is empty with it. Returns kNone, or the index of a cell that is empty with
+  /// equal weights.
   static constexpr std::uint32_t kNone = 0xFFFFFFFFu;
   [[nodiscard]] std::uint32_t begin(std::span<const double> targets, std::span<const double> start);
-  /// One step; false if none comes closer. Throws std::bad_alloc; the same step can be taken again.
+  /// Takes a step; false if none comes closer. Throws std::bad_alloc; the same step can be taken
+  /// again.
   [[nodiscard]] bool step();
-  /// Is that because the weights are those looked for, up to their last places? What areas still
-  /// are off by is rounding: of weights, and of Voronoi vertices.
+  /// Has step() failed because the weights are the solution up to their last places? The errors
+  /// that areas still have are rounding: of weights, and of Voronoi vertices.
   [[nodiscard]] bool isAtTheEndOfDoubles() const { return isAtTheEndOfDoubles_; }
-  /// The largest deviation of an area from its target, as a share of that.
+  /// The largest deviation of an area from its target, as a share of the target.
   [[nodiscard]] double error() const { return deviationOf(best_.inside); }
 
  private:
-  /// Weights, and what they lead to: in the region, and around it if there is a regularization.
+  /// Weights with the areas and couplings that they give: in the region, and around it if there is
+  /// a regularization.
   struct State {
     FlatArray<double> weights, inside, around;
     FlatArray<double> areas;  // inside, with their share of the regularization
@@ -101,14 +104,14 @@ class AreaFitter {
   DiagramCore core_;          // its ids are indices
   FlatArray<SiteId> ids_;
   FlatArray<Site> sites_;
-  FlatArray<double> shares_;   // of the region's area
+  FlatArray<double> shares_;   // targets as shares of the region's area
   FlatArray<double> targets_;  // with their share of the regularization
   State best_, tried_;
   FlatArray<Coupling> couplings_;                        // the best state's, some of them stiffer
-  FlatArray<double> direction_;                          // of the next step
+  FlatArray<double> direction_;                          // the next step, at full length
   double last_ = 1;                                      // share of the last step that was taken
   double regularization_ = 0;                            // its density
-  VertexPrecision precision_ = VertexPrecision::kRough;  // but for the end
+  VertexPrecision precision_ = VertexPrecision::kRough;  // reproducible at the end
   bool isAtTheEndOfDoubles_ = false;
 };
 

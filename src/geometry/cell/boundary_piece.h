@@ -15,14 +15,14 @@ namespace apollonius::internal {
 /// A piece of a cell's boundary, the cell on its left.
 struct BoundaryPiece {
   Conic curve;
-  SiteId neighbor = kNoSite;  ///< with the cell on the right; kNoSite along the window's border
-  /// In a region: the segments of its polygon that it starts and ends on.
+  SiteId neighbor = kNoSite;  ///< the site on the right; kNoSite along the window's border
+  /// In a region: the segments of its polygon that the piece starts and ends on.
   std::uint32_t fromSegment = kNoSegment, toSegment = kNoSegment;
   /// Is nothing on the right, because the site's reach ends there, or the neighbor's
   /// (reach_cell.h)?
   bool isAtReach = false;
-  /// Is it rounding, as the edge but touches the window's border or is a point
-  /// (DelaunayGraph::isPoint)?
+  /// Does it exist by rounding only, since the edge merely touches the window's border or is a
+  /// point (DelaunayGraph::isPoint)?
   bool isTouch = false;
 
   /// The site on the right, or kNoSite.
@@ -31,9 +31,9 @@ struct BoundaryPiece {
 
 struct Cell {
   FlatArray<BoundaryPiece> pieces;
-  FlatArray<std::uint32_t> starts;  ///< of each ring, its first piece; and the number of pieces
-  /// Of each part its first ring, which is around it; further ones are holes. And the number of
-  /// rings. (In a rectangle, parts have no holes.)
+  FlatArray<std::uint32_t> starts;  ///< the first piece of each ring, and the number of pieces
+  /// The first ring of each part, which is around it; further ones are its holes. Then the number
+  /// of rings. (In a rectangle, parts have no holes.)
   FlatArray<std::uint32_t> outers;
 
   [[nodiscard]] std::size_t ringCount() const { return starts.size() - 1; }
@@ -41,7 +41,7 @@ struct Cell {
     return std::span(pieces).subspan(starts[k], starts[k + 1] - starts[k]);
   }
   [[nodiscard]] std::size_t partCount() const { return outers.size() - 1; }
-  /// Without parts.
+  /// Leaves no parts.
   void clear() {
     pieces.clear();
     starts.assign(1, 0);
@@ -49,8 +49,8 @@ struct Cell {
   }
 };
 
-/// Computes the area inside a counter-clockwise boundary. Roundings: those of the computation
-/// alone. `origin` should be near the boundary.
+/// Computes the area inside a counter-clockwise boundary. Its `rounding` bounds the errors of this
+/// computation only. `origin` should be near the boundary.
 [[nodiscard]] Area areaOf(std::span<const BoundaryPiece> boundary, Point origin);
 
 }  // namespace apollonius::internal

@@ -12,20 +12,21 @@ namespace apollonius::internal {
 
 namespace {
 
-/// A border contact of some cell, to be sorted by cell.
+/// A border contact and its cell, to be sorted by cell.
 struct SiteContact {
   Slot site;
   BorderContact contact;
 };
 
-/// Lengths of the parts with area of cells at the border. Where the border runs along an edge, or
-/// nearly along itself, rounding can leave slivers, which have length but no area.
+/// Perimeters of cells at the border, of their parts with area only. Where the border runs along an
+/// edge, or nearly along itself, rounding can leave slivers, which have length but no area.
 class PartLengths {
  public:
   PartLengths(const DiagramCore& core, CellClipper& cells)
       : core_(core), cells_(cells), isDone_(core.ids().slots(), 0) {}
 
-  /// Measures a cell, unless it has been; returns how much of the border it has.
+  /// Measures a cell and returns the length of its pieces on the border; 0 if the cell has been
+  /// measured before.
   double measure(Slot slot) {
     if (isDone_[slot] != 0) return 0;
     isDone_[slot] = 1;
@@ -39,7 +40,7 @@ class PartLengths {
     return onBorder;
   }
 
-  /// Replaces those of the cells that have been measured.
+  /// Replaces the lengths of the cells that have been measured.
   void list(std::vector<double>& lengths) const {
     for (const auto& [slot, length] : found_) lengths[core_.ids().idOf(slot)] = length;
   }
@@ -76,8 +77,8 @@ class RectangleSum {
     if (hasLengths_) lengths_.list(measures);
   }
 
-  /// Does no cell have any of the border? Then one cell has all of the window. (Edges can touch it,
-  /// so contacts are no proof; what all cells have of the border is all or nothing.)
+  /// Does no cell have a piece of the border? Then one cell has the whole window. (Edges can touch
+  /// the border, so contacts prove nothing; the cells together have all of the border, or none.)
   [[nodiscard]] bool isUntouched() const { return onBorder_ < window_.width() + window_.height(); }
 
  private:
@@ -134,7 +135,7 @@ class RectangleSum {
   RectangleCellClipper cells_;
   PartLengths lengths_;
   FlatArray<SiteContact> contacts_;
-  double onBorder_ = 0;  // length that cells have of it
+  double onBorder_ = 0;  // length of the border that cells have
 };
 
 }  // namespace

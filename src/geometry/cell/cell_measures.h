@@ -9,8 +9,8 @@
 
 namespace apollonius::internal {
 
-/// kAreas and kPerimeters: a number a site id, 0 for ids without a cell. kCentroids: two, NaN where
-/// there is no area.
+/// kAreas and kPerimeters: one number for each site id, 0 for ids without a cell. kCentroids: two,
+/// NaN where there is no area.
 enum class Measure : unsigned char { kAreas, kCentroids, kPerimeters };
 
 /// Replaces the contents of `measures`.
@@ -20,7 +20,7 @@ void measureCells(const ClippedDiagram& clippedDiagram, Measure what,
                   std::vector<double>& measures);
 
 class CellSums;
-/// Adds what the cells have of the region's border.
+/// Adds the parts of the region's border that bound cells.
 void addBorders(const ClippedDiagram& clippedDiagram, CellSums& sums);
 
 }  // namespace apollonius::internal

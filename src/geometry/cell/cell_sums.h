@@ -11,17 +11,18 @@ namespace apollonius::internal {
 
 class CellSums {
  public:
-  /// `box` holds all that is summed; cells are measured from its point nearest to their centres.
+  /// REQUIRES: `box` contains all pieces. Each cell is measured about the point of the box that is
+  /// nearest to its centre.
   CellSums(const DiagramCore& core, const Rectangle& box, Measure what);
 
-  /// A piece between two cells, counted `multiplicity` times for the one on its left.
+  /// Adds a piece between two cells, counted `multiplicity` times for the one on its left.
   void addEdge(Slot left, Slot right, const Conic& piece, int multiplicity = 1);
-  /// A piece with a cell on its left, and none on its right.
+  /// Adds a piece with a cell on its left, and none on its right.
   void addBorder(Slot left, const Conic& piece);
 
-  /// What a cell has in it, by slot: area or length.
+  /// The area or length in a cell, by slot.
   [[nodiscard]] double sumOf(Slot slot) const { return sums_[slot].value(); }
-  /// By id, as Measure says.
+  /// Lists the measures by id, in the layout that Measure describes.
   void list(std::vector<double>& measures) const;
 
  private:

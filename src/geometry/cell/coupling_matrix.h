@@ -1,5 +1,5 @@
-// How the areas of cells depend on the weights, to first order: a sparse symmetric matrix, of which
-// the triangles are divided by.
+// How the areas of cells depend on the weights, to first order: a sparse symmetric matrix, with
+// division by its triangles.
 #pragma once
 
 #include <cstdint>
@@ -9,15 +9,15 @@
 
 namespace apollonius::internal {
 
-/// Each of two cells gains from the other what its weight has more, times this.
+/// A pair of cells: if the weight of one grows, it gains this times the growth from the other.
 struct Coupling {
   std::uint32_t i, j;
   double derivative;  ///< > 0
 };
 
-/// With the entries -derivative beside the diagonal, where each row's sum is 0; then row and column
-/// k times scale(k), so that the diagonal is 1: I + L + U, L below it and U above. All couplings of
-/// two cells add up.
+/// The matrix with the entries -derivative beside the diagonal, in which each row's sum is 0; then
+/// row and column k are multiplied by scale(k), so that the diagonal is 1: I + L + U, L below it
+/// and U above. Several couplings of the same two cells add up.
 class CouplingMatrix {
  public:
   CouplingMatrix(std::size_t count, std::span<const Coupling> couplings);
@@ -35,7 +35,7 @@ class CouplingMatrix {
     std::uint32_t column;
     double value;
   };
-  /// Of L.
+  /// Row k of L.
   [[nodiscard]] std::span<const Entry> row(std::size_t k) const {
     return std::span(entries_).subspan(starts_[k], starts_[k + 1] - starts_[k]);
   }

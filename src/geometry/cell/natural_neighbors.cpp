@@ -73,7 +73,7 @@ bool NaturalNeighbors::isInWindow(const Site& q) const {
                                     : clippedDiagram_->polygon().holds({q.x, q.y});
 }
 
-/// The site that covers q, or kNoVertex.
+/// Finds q's conflicts. Returns the site that covers q, or kNoVertex.
 VertexId NaturalNeighbors::findConflict(const Site& q, VertexId start) {
   if (core_.visibleCount() == 1) {
     expectShares(1);
@@ -81,12 +81,12 @@ VertexId NaturalNeighbors::findConflict(const Site& q, VertexId start) {
     return covers(delaunay_.site(only), q) ? only : kNoVertex;
   }
   const VertexId cover = delaunay_.findConflict(conflicts_, q, start, core_.locationIndex().walk());
-  // Each site is at a corner of the hole, or covered, and then within it.
+  // Each site with a share is at a corner of the hole, or covered by q and then inside the hole.
   expectShares(conflicts_.boundary().size() + conflicts_.faces().size());
   return cover;
 }
 
-/// Of the faces between q and the sides of the hole.
+/// Computes the Voronoi vertices of the faces between q and the sides of the hole.
 void NaturalNeighbors::findNewVertices(const Site& q) {
   const Graph& graph = delaunay_.graph();
   newVertices_.clear();
@@ -131,8 +131,8 @@ void NaturalNeighbors::addNewEdges(const Site& q) {
   }
 }
 
-/// What of them is in q's cell: of an edge across the side of the hole, what is between the new
-/// vertex on it and the old one in the hole; all of others between faces of the hole.
+/// Adds the parts of old edges inside q's cell: of an edge across a side of the hole, the part from
+/// its new vertex to the old one in the hole; edges between two faces of the hole as a whole.
 void NaturalNeighbors::addOldEdges() {
   if (core_.visibleCount() == 1) return;
   const Graph& graph = delaunay_.graph();
@@ -149,7 +149,7 @@ void NaturalNeighbors::addOldEdges() {
   }
 }
 
-/// Of the hole, with a face of the hole on both sides?
+/// Is h on the hole's boundary, with hole faces on both sides?
 bool NaturalNeighbors::isSide(HalfedgeId h) const {
   const auto isBefore = [](const Keyed& side, HalfedgeId other) {
     return HalfedgeId{side.key} < other;
@@ -158,10 +158,10 @@ bool NaturalNeighbors::isSide(HalfedgeId h) const {
   return at != sides_.end() && HalfedgeId{at->key} == h;
 }
 
-/// A vertex that is off moves area from one neighbour to another: at most its error times the width
-/// of q's cell in the window, of which the distance from the vertex to one of its sites is no small
-/// part. So it is compared with that; and with what coordinates let one expect, where they are
-/// large.
+/// Is a cached circle accurate enough? The error of a vertex moves area from one neighbour to
+/// another: at most the error times the width of q's cell in the window, of which the distance from
+/// the vertex to one of its sites is no small part. So the error is compared with this distance;
+/// and, where coordinates are large, with their rounding.
 bool NaturalNeighbors::isEnough(const VoronoiCircle& circle, const Site& corner) const {
   if (circle.isHalfPlane()) return true;
   const double size = std::min(absolute(circle.s + corner.r), window_.diagonal());
@@ -182,7 +182,7 @@ EdgeEnd NaturalNeighbors::oldVertex(FaceId f) {
   return kept.vertex;
 }
 
-/// With the origin of h on its left.
+/// Adds a part of an old edge, the origin of h on its left.
 void NaturalNeighbors::addOldEdge(HalfedgeId h, EdgeEnd from, EdgeEnd to) {
   const VertexId a = delaunay_.graph().origin(h), b = delaunay_.graph().target(h);
   if (a == kInfinity || b == kInfinity) return;
@@ -193,7 +193,7 @@ void NaturalNeighbors::addOldEdge(HalfedgeId h, EdgeEnd from, EdgeEnd to) {
   }
 }
 
-/// Of the bisector of two sites, counter-clockwise about the reference site.
+/// Adds a part of the bisector of two sites, counter-clockwise about the reference site.
 void NaturalNeighbors::addEdge(const Site& reference, const Site& other, EdgeEnd from, EdgeEnd to,
                                VertexId left, VertexId right) {
   if (reference.r == other.r && from.isFinite && to.isFinite && window_.holds(from.point) &&
@@ -220,7 +220,7 @@ void NaturalNeighbors::addPiece(const ClippedPiece& piece, VertexId left, Vertex
     addContact({window_.positionOf(piece.toSide, curve.p2), curve.p2, right, left});
 }
 
-/// Keeps them sorted. There are few, or they come in runs.
+/// Inserts a contact into the sorted list. There are few, or they come in runs.
 void NaturalNeighbors::addContact(const Contact& contact) {
   contacts_.push_back(contact);
   std::size_t k = contacts_.size() - 1;
@@ -229,7 +229,7 @@ void NaturalNeighbors::addContact(const Contact& contact) {
   contacts_[k] = contact;
 }
 
-/// Room for this many sites.
+/// Makes room for this many sites.
 void NaturalNeighbors::expectShares(std::size_t most) {
   shares_.reserve(most);
   places_.assign(std::max(std::size_t{16}, std::bit_ceil(2 * most)), 0);
@@ -251,11 +251,11 @@ void NaturalNeighbors::addArea(VertexId site, double area) {
   places_[k] = static_cast<std::uint32_t>(shares_.size());
 }
 
-/// What of the border is in q's cell.
+/// Adds the part of the border that is in q's cell.
 void NaturalNeighbors::addBorder(const Site& q) {
   const double width = window_.width(), height = window_.height();
   if (contacts_.empty()) {
-    // All of the border is, or nothing.
+    // The whole border is in q's cell, or none of it.
     if (extent_.xmin <= extent_.xmax) return;
     addArea(takenAt(q, window_.corner(0)), width * height);
     return;
@@ -285,7 +285,7 @@ void NaturalNeighbors::addBorder(const Site& q) {
   addArea(takenAt(q, window_.at(middle)), sum);
 }
 
-/// Under the border from a contact on, for a length of positions, to a point there.
+/// The area between origin_ and the border from a contact to a point `length` positions further on.
 double NaturalNeighbors::areaAlongBorder(const Contact& from, Point to, double length) const {
   double sum = 0;
   Point at = from.point;
@@ -299,15 +299,16 @@ double NaturalNeighbors::areaAlongBorder(const Contact& from, Point to, double l
   return sum;
 }
 
-/// The site from whose cell q takes a place; kNoVertex if it does not.
+/// The site from whose cell q takes the point p; kNoVertex if p is not in q's cell.
 VertexId NaturalNeighbors::takenAt(const Site& q, Point p) const {
   const double x = taken(p.x), y = taken(p.y);
   const VertexId near = vertexOf(core_.nearest(x, y));
   return isNearer(x, y, delaunay_.site(near), q) ? near : kNoVertex;
 }
 
-/// Is q's cell away from the border of the region? Then it is inside or outside, and what has been
-/// summed up is right if it is inside; which a Voronoi vertex in it knows.
+/// Corrects the sums for a region. If q's cell is away from the region's border, it is inside or
+/// outside as a whole, as a Voronoi vertex in it is; if it is inside, the sums are right. Otherwise
+/// a small diagram answers.
 void NaturalNeighbors::findInRegion(const Site& q, Centers centers) {
   const bool isClear = contacts_.empty() && extent_.xmin <= extent_.xmax &&
                        !conflicts_.faces().empty() && border_->isClearOf(extent_);
@@ -319,10 +320,10 @@ void NaturalNeighbors::findInRegion(const Site& q, Centers centers) {
   findWithSmallDiagram(q);
 }
 
-/// Inside q's cell only those sites matter from which it takes something. So a diagram of these
-/// alone, with q and without it, says what is taken from each.
+/// Inside q's cell only the sites matter from which it takes something. So a diagram of these
+/// alone, with q and without it, tells what q takes from each.
 void NaturalNeighbors::findWithSmallDiagram(const Site& q) {
-  // So far, shares_ has those only whose edges are in the region's box.
+  // So far, shares_ has only the sites whose edges are in the region's box.
   const Graph& graph = delaunay_.graph();
   const auto list = [&](VertexId v) { addArea(v == kInfinity ? kNoVertex : v, 0); };
   if (core_.visibleCount() == 1) {
@@ -344,7 +345,7 @@ void NaturalNeighbors::findWithSmallDiagram(const Site& q) {
   for (std::size_t k = 0; k < shares_.size(); ++k) shares_[k].weight = before[k] - after[k];
 }
 
-/// To a sum of 1, without those of 0. Rounding can have made some of them negative.
+/// Scales the weights to a sum of 1, and drops those of 0. Rounding can have made some negative.
 void NaturalNeighbors::normalize() {
   double sum = 0;
   for (NaturalShare& share : shares_) sum += share.weight = std::max(0.0, share.weight);
@@ -363,8 +364,8 @@ void interpolate(const DiagramCore& core, NaturalNeighbors& neighbors,
   if (core.visibleCount() == 0) return std::fill(results.begin(), results.end(), kNoValue);
   visitPoints(core, xy, [&](std::size_t k, Slot hint) {
     const double x = xy[2 * k], y = xy[2 * k + 1];
-    // Always from the nearest site, so that what is found has the same order, and its sum the same
-    // bits, whichever point comes before.
+    // The search always starts at the nearest site, so that the order of the shares, and with it
+    // the bits of their sum, does not depend on the points before.
     const Slot start = core.nearest(x, y, hint);
     const auto shares = neighbors.find(normalized({x, y, r}), vertexOf(start), Centers::kInWindow);
     if (shares.empty()) {

@@ -8,12 +8,12 @@
 // right; so the pieces come in any order.
 //
 // The border of a rectangle is such a boundary, too. Let F(P) be the sum over the border from a
-// fixed place on it to P, counter-clockwise. Where the border goes from what is taken of one cell
-// to what is taken of another at P, the first gets F(P) and the second gives it back; and what the
-// fixed place itself is in gets the sum over the whole border. So only one place is ever asked
-// whose it is, and contacts that rounding exchanges do what rounding does.
+// fixed point on it to P, counter-clockwise. Where the border passes at P from what is taken of one
+// cell to what is taken of another, F(P) is added to the first and subtracted from the second; the
+// sum over the whole border is added to the cell that the fixed point is taken from. So the owner
+// of only one point is ever looked up, and swapped contacts change the result by rounding only.
 //
-// In a region, that does for cells that are away from the border, which are most; for others a
+// In a region, this is enough for cells away from the border, which are most. For the others, a
 // small diagram of the natural neighbours is clipped to the region, with q and without it.
 #pragma once
 
@@ -32,13 +32,13 @@
 
 namespace apollonius::internal {
 
-/// What the new cell takes from a site's, of all that it takes.
+/// The share of the new cell that it takes from a site's cell.
 struct NaturalShare {
   VertexId site;
   double weight;
 };
 
-/// Which centres of new circles are answered.
+/// New circles with which centres have natural neighbours.
 enum class Centers : bool { kAll, kInWindow };
 
 /// Keeps its scratch memory from one circle to the next.
@@ -49,21 +49,23 @@ class NaturalNeighbors {
   /// In a region. REQUIRES: all live as long, and the diagram stays as it is.
   NaturalNeighbors(const ClippedDiagram& clippedDiagram, const PolygonGrid& border);
 
-  /// The natural neighbours of q; the weights are positive or 0 and add up to 1. One that covers q
-  /// is the only one, as is the nearest of a q in the window whose cell is too thin for doubles.
-  /// None if q's centre is to be in the window (its border included) and is not; and where q's cell
-  /// has no part in it, up to rounding. REQUIRES: `start` is a visible site, close to q. Valid
-  /// until the next call. Throws std::bad_alloc. Cost: a walk from there, and O(size of what would
-  /// change); for a cell at the border of a region also O(points of the region) and a diagram of
-  /// the natural neighbours.
+  /// Finds the natural neighbours of q; the weights are positive and add up to 1. A site that
+  /// covers q is the only one; so is the nearest site if q is in the window but its cell is too
+  /// thin for doubles. There are none if q's centre is not in the window (border included) for
+  /// kInWindow, or if q's cell has no part in the window, up to rounding. REQUIRES: `start` is a
+  /// visible site, close to q. Valid until the next call. Throws std::bad_alloc. Cost: a walk from
+  /// `start`, and O(size of what would change); for a cell at the border of a region also O(points
+  /// of the region) and a diagram of the natural neighbours.
   std::span<const NaturalShare> find(const Site& q, VertexId start, Centers centers);
 
  private:
-  /// Where q's cell or an edge in it meets the border, counter-clockwise. kNoVertex: not q's cell.
+  /// A point where q's cell or an edge in it meets the border.
   struct Contact {
     double position;  // Rectangle::positionOf
     Point point;
-    VertexId before, after;  // of which cells q takes what is beside the border
+    // The sites from which q takes the border before and after it, counter-clockwise; kNoVertex
+    // where the border is not in q's cell.
+    VertexId before, after;
   };
 
   [[nodiscard]] VertexId findConflict(const Site& q, VertexId start);
@@ -90,7 +92,7 @@ class NaturalNeighbors {
 
   const DiagramCore& core_;
   const DelaunayGraph& delaunay_;
-  const ClippedDiagram* clippedDiagram_ = nullptr;  // of a region
+  const ClippedDiagram* clippedDiagram_ = nullptr;  // null in a rectangle
   const PolygonGrid* border_ = nullptr;
   Rectangle window_;  // or the box of the region
   Point origin_;      // areas are summed up about it: q's centre, if that is in the window
@@ -99,18 +101,18 @@ class NaturalNeighbors {
   CircleFan fan_;
   FlatArray<VoronoiCircle> circles_;
   FlatArray<EdgeEnd> newVertices_;  // by side of the hole
-  FlatArray<Keyed> sides_;          // of the hole, ascending, if it may have slits
-  KeptVertices kept_;               // those that cached circles do not give
+  FlatArray<Keyed> sides_;  // half-edges of the hole's boundary, ascending, if it may have slits
+  KeptVertices kept_;       // vertices whose cached circles are not accurate enough
   ClippedEdge clipped_;
-  Rectangle extent_{};               // of the pieces of q's boundary
+  Rectangle extent_{};               // box of the pieces of q's boundary
   FlatArray<Contact> contacts_;      // by position
   FlatArray<NaturalShare> shares_;   // areas until they are normalized
-  FlatArray<std::uint32_t> places_;  // open addressing: where in shares_ a site is, and 1
+  FlatArray<std::uint32_t> places_;  // hash table, open addressing: index in shares_ plus 1
 };
 
-/// Values of a field at points x, y, …: sums of the natural neighbours' values, which are given by
-/// id, times their weights, for new circles of radius r. NaN outside of the window and without
-/// sites. `results` has one for each point. Throws std::bad_alloc.
+/// Interpolates a field at points x, y, …, each the centre of a new circle of radius r: sums up the
+/// natural neighbours' values, given by id, times their weights. NaN outside of the window and
+/// without sites. `results` has one for each point. Throws std::bad_alloc.
 void interpolate(const DiagramCore& core, NaturalNeighbors& neighbors,
                  std::span<const double> values, std::span<const double> xy, double r,
                  std::span<double> results);

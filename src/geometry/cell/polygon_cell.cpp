@@ -24,9 +24,9 @@ const Cell& PolygonCellClipper::find(Slot site) {
     }
     sortRanks();
     isUsed_.assign(entries_.size(), 0);
-    // Between the cell's first edge and an exit, this many more rings have entered than left
-    // as the winding number at the first edge's start says; so that many entries further on is the
-    // exit's. What rounding has exchanged is in its place again after sorting.
+    // The winding number at the start of the cell's first edge tells how far exits and entries are
+    // out of step: the entry of exit k is entry k + winding. Sorting has put back in place what
+    // rounding had swapped.
     for (std::size_t first = 0; first < isUsed_.size(); ++first) {
       std::size_t k = first;
       if (isUsed_[k] != 0) continue;
@@ -50,7 +50,7 @@ const Cell& PolygonCellClipper::find(Slot site) {
   return cell_;
 }
 
-/// The cell's edges, and the crossings on them.
+/// Lists the cell's edges, and the crossings on them.
 void PolygonCellClipper::listSides(VertexId v) {
   const DiagramCore& core = clippedDiagram_.core();
   const Graph& graph = core.delaunay().graph();
@@ -81,24 +81,24 @@ void PolygonCellClipper::sortRanks() {
   sortByKey(ranks_);
 }
 
-/// The place of one of the cell's exits among them.
+/// Index in exits_ of the exit with this crossing.
 std::uint32_t PolygonCellClipper::rankOf(std::uint32_t crossing) const {
   const auto isBefore = [](const Keyed& rank, std::uint32_t exit) { return rank.key < exit; };
   return std::lower_bound(ranks_.begin(), ranks_.end(), crossing, isBefore)->value;
 }
 
-/// A part of a segment of the polygon.
+/// Adds a part of a segment of the polygon.
 void PolygonCellClipper::addBorder(Point from, Point to, std::uint32_t segment) {
   if (!(from == to)) rings_.add({Conic::segment(from, to), kNoSite, segment, segment});
 }
 
-/// The region's boundary through the cell.
+/// Adds the region's boundary through the cell.
 void PolygonCellClipper::addBoundaryChain(const Crossing& entry) {
   clippedDiagram_.visitBoundaryChain(
       entry, [&](Point from, Point to, std::uint32_t segment) { addBorder(from, to, segment); });
 }
 
-/// The cell's boundary from one crossing to another, this many sides further on.
+/// Adds the cell's boundary from one crossing to another, this many sides further on.
 void PolygonCellClipper::addBoundary(const Event& from, const Event& to, std::size_t sides) {
   const Crossing &start = clippedDiagram_.crossing(from.crossing),
                  &end = clippedDiagram_.crossing(to.crossing);
@@ -109,7 +109,8 @@ void PolygonCellClipper::addBoundary(const Event& from, const Event& to, std::si
   addPiece(sides_[to.edge], nullptr, &end);
 }
 
-/// A piece of an edge, counter-clockwise; from its start and to its end, where none is given.
+/// Adds a piece of an edge, counter-clockwise. A null crossing stands for the edge's own start or
+/// end.
 void PolygonCellClipper::addPiece(const Side& side, const Crossing* from, const Crossing* to) {
   if (side.edge == kNoHalfedge) return;
   const Edge edge(clippedDiagram_.core().delaunay(), side.edge);
@@ -122,7 +123,7 @@ void PolygonCellClipper::addPiece(const Side& side, const Crossing* from, const 
   const Point a = low == nullptr ? edge.from.point : low->point,
               b = high == nullptr ? edge.to.point : high->point;
   const double e0 = low == nullptr ? edge.e0 : low->e, e1 = high == nullptr ? edge.e1 : high->e;
-  // Places that rounding has exchanged are gone between backwards.
+  // If rounding swapped the ends, the piece is taken backwards.
   const Conic curve = !isHere    ? Conic::segment(a, b)
                       : e0 <= e1 ? clippedDiagram_.pieceInside(edge, e0, e1, a, b)
                                  : clippedDiagram_.pieceInside(edge, e1, e0, b, a).reversed();
@@ -133,7 +134,7 @@ void PolygonCellClipper::addPiece(const Side& side, const Crossing* from, const 
                 segmentOf(to), false, isTouch});
 }
 
-/// Of the polygon, on which a crossing is.
+/// The polygon segment that a crossing is on.
 std::uint32_t PolygonCellClipper::segmentOf(const Crossing* crossing) const {
   if (crossing == nullptr) return kNoSegment;
   return clippedDiagram_.polygon().starts[crossing->ring] + crossing->firstPoint - 1;

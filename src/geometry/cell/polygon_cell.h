@@ -16,18 +16,18 @@ class PolygonCellClipper final : public CellClipper {
   /// holes what ring_nesting.h says: about O(log n) each for n pieces and parts.
   const Cell& find(Slot site) override;
 
-  /// How much has been looked at to find the rings around holes.
+  /// Number of steps taken to find the rings around holes.
   [[nodiscard]] std::size_t looks() const { return rings_.looks(); }
 
  private:
   /// A crossing on the cell's boundary, in counter-clockwise order from its first half-edge.
   struct Event {
     std::uint32_t crossing;
-    std::uint32_t edge;  // of edges_
+    std::uint32_t edge;  // index in sides_
   };
   /// A Voronoi edge of the cell, counter-clockwise.
   struct Side {
-    HalfedgeId halfedge, edge;  // of the cell; the one of the two at the reference site
+    HalfedgeId halfedge, edge;  // the cell's; the one of the two at the reference site
     SiteId neighbor;
   };
 
@@ -46,7 +46,7 @@ class PolygonCellClipper final : public CellClipper {
   RingSorter rings_;
   FlatArray<Side> sides_;
   FlatArray<Event> exits_, entries_;
-  FlatArray<Keyed> ranks_;  // of exits_, by crossing
+  FlatArray<Keyed> ranks_;  // indices in exits_, sorted by crossing
   FlatArray<char> isUsed_;  // by entry
 };
 

@@ -10,7 +10,7 @@ namespace apollonius::internal {
 
 namespace {
 
-/// Between 0 and 4, in the order of the directions from `start` on, counter-clockwise.
+/// Pseudo-angle from `start` to a direction, counter-clockwise: between 0 and 4, in the same order.
 double turnFrom(Point start, Point direction) {
   const double c = dot(start, direction), s = cross(start, direction);
   return s >= 0 ? 1 - c : 3 + c;
@@ -49,7 +49,7 @@ const Cell& ReachCellClipper::find(Slot site) {
   return cell_;
 }
 
-/// What of a ring is inside, and where it leaves the circle and comes back.
+/// Finds the parts of a ring inside the circle, and where it leaves the circle and comes back.
 void ReachCellClipper::cutRing(std::span<const BoundaryPiece> ring) {
   const auto begin = static_cast<std::uint32_t>(pieces_.size());
   for (std::uint32_t k = 0; k < ring.size(); ++k) {
@@ -90,7 +90,7 @@ void ReachCellClipper::cutEdge(const BoundaryPiece& piece, std::uint32_t source)
   }
 }
 
-/// A straight piece of the window's border.
+/// Cuts a straight piece of the window's border.
 void ReachCellClipper::cutBorder(const BoundaryPiece& piece, std::uint32_t source) {
   const Point from = piece.curve.p0, way = piece.curve.p2 - from, toCenter = center_ - from;
   const double size = length(way);
@@ -110,9 +110,9 @@ void ReachCellClipper::cutBorder(const BoundaryPiece& piece, std::uint32_t sourc
       {{inside, kNoSite, piece.fromSegment, piece.toSegment}, isFromCut, isToCut, source});
 }
 
-/// Of an arc of the circle, from one turn on, that the boundary of the cell before it is cut does
-/// not pass: is it in the cell? It may touch the boundary, but hardly in two of three places, which
-/// stand in no simple proportion.
+/// Is an arc of the circle in the whole cell, if no boundary of the cell crosses it? The arc begins
+/// at the turn `from`. It may touch the boundary, but hardly at two of the three points tested,
+/// whose shares of the arc are in no simple proportion.
 bool ReachCellClipper::isInside(const Cell& whole, double from, double width) const {
   int inside = 0;
   for (const double share : {0.29, 0.47, 0.64}) {
@@ -134,7 +134,7 @@ void ReachCellClipper::sortPassages(const Cell& whole) {
   FlatArray<Passage> all = exits_;
   all.append({entries_.data(), entries_.size()});
   sortByTurn({1, 0}, all);
-  // Counting begins as far from all passages as there is: in the middle of the widest gap.
+  // Counting begins as far from all passages as possible: in the middle of the widest gap.
   double before = all.back().turn - 4, widest = 0, from = 0;
   for (const Passage& passage : all) {
     if (passage.turn - before > widest) {
@@ -151,7 +151,7 @@ void ReachCellClipper::sortPassages(const Cell& whole) {
   for (std::uint32_t k = 0; k < exits_.size(); ++k) exitOf_[exits_[k].piece] = k;
 }
 
-/// Follows the pieces, and the circle from exits to entries.
+/// Traces the rings: along the pieces, and along the circle from exits to entries.
 void ReachCellClipper::trace() {
   isUsed_.assign(pieces_.size(), 0);
   for (std::uint32_t first = 0; first < pieces_.size(); ++first) {
@@ -174,7 +174,7 @@ void ReachCellClipper::trace() {
   }
 }
 
-/// From an exit to an entry; a segment where rounding has the entry come first.
+/// Adds the arc from an exit to an entry, or a segment where the entry comes first by rounding.
 void ReachCellClipper::addArc(const Passage& exit, const Passage& entry, double turn) {
   const auto pieceOf = [&](std::uint32_t k) { return k == kNoPiece ? nullptr : &pieces_[k].piece; };
   const BoundaryPiece *const before = pieceOf(exit.piece), *const after = pieceOf(entry.piece);

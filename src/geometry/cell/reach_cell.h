@@ -2,10 +2,10 @@
 // meet, and stop where they have come far enough. The circle about the site's centre that bounds it
 // cuts the rings of the cell; inside, they are joined by arcs.
 //
-// Where the rings leave the circle and where they come back alternates around it. So both are
-// sorted by themselves, and the k-th exit belongs to the k-th entry or to the next one, as the
-// circle is outside of the cell or inside at the direction where counting begins: rounding can
-// exchange an exit and an entry that are as close as that, but not lose one.
+// Exits, where the rings leave the circle, and entries, where they come back, alternate around it.
+// Each kind is sorted by itself. The k-th exit belongs to the k-th entry if the circle is outside
+// of the cell at the direction where counting begins, and to the next one if it is inside. So
+// rounding can swap an exit and an entry that are very close, but not lose one.
 #pragma once
 
 #include <memory>
@@ -28,9 +28,9 @@ class ReachCellClipper final : public CellClipper {
         cells_(std::move(cells)),
         rings_(parts()) {}
 
-  /// Pieces beyond which nothing is are isAtReach; arcs have no neighbor, pieces of edges have that
-  /// whose reach does not go so far. Cost: that of the whole cell, and O(c log c) for c places
-  /// where the circle cuts it.
+  /// A piece with nothing on its right is isAtReach; then arcs have no neighbor, and a piece of an
+  /// edge has the one whose reach does not go so far. Cost: that of the whole cell, and O(c log c)
+  /// for c points where the circle cuts it.
   const Cell& find(Slot site) override;
   void expectAll() override { cells_->expectAll(); }
   [[nodiscard]] double radiusOf(SiteId site) const override {
@@ -41,15 +41,15 @@ class ReachCellClipper final : public CellClipper {
   struct Piece {
     BoundaryPiece piece;
     bool isFromCut, isToCut;
-    std::uint32_t source;           // the piece of the ring that it is of
-    std::uint32_t next = kNoPiece;  // that begins where it ends
+    std::uint32_t source;           // the piece of the ring that it is a part of
+    std::uint32_t next = kNoPiece;  // the piece that begins where it ends
   };
   static constexpr std::uint32_t kNoPiece = 0xFFFFFFFFu;
-  /// Where a ring leaves the circle, or comes back to it.
+  /// A point where a ring leaves the circle, or comes back to it.
   struct Passage {
     Point direction;  // from the centre
     std::uint32_t piece;
-    double turn = 0;  // to it, from where counting begins
+    double turn = 0;  // pseudo-angle from where counting begins
   };
 
   void cutRing(std::span<const BoundaryPiece> ring);
@@ -71,8 +71,8 @@ class ReachCellClipper final : public CellClipper {
   Point center_;
   FlatArray<Piece> pieces_;
   FlatArray<Passage> exits_, entries_;
-  std::uint32_t shift_ = 0;          // from an exit to its entry, in their orders
-  FlatArray<std::uint32_t> exitOf_;  // by piece: of exits_
+  std::uint32_t shift_ = 0;          // index of an exit's entry less that of the exit
+  FlatArray<std::uint32_t> exitOf_;  // by piece: index in exits_
   FlatArray<char> isUsed_;           // by piece
 };
 

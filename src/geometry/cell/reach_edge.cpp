@@ -11,16 +11,17 @@ namespace apollonius::internal {
 
 namespace {
 
-/// The places E of a bisector within the reach of a site: from 1/end to `end`; none if that is 0.
+/// The largest parameter E of a bisector within the reach of a site; the least is its reciprocal. 0
+/// if there is none.
 double endOfReach(const Site& site, ReachOfSite reach, const Site& other,
                   const Bisector& bisector) {
   const double cosh = (2 * reach.radius + (other.r - site.r)) / bisector.distance();
   if (!(cosh > 1)) return 0;
-  const bool isImmense = cosh > powerOfTwo(500);  // of which the square may be infinite
+  const bool isImmense = cosh > powerOfTwo(500);  // its square may be infinite
   return cosh + (isImmense ? cosh : std::sqrt((cosh - 1) * (cosh + 1)));
 }
 
-/// A place on the bisector, and its point.
+/// A point on the bisector, with its parameter E.
 struct Place {
   double e;
   Point point;
@@ -43,7 +44,7 @@ std::pair<double, double> rangeOf(const Bisector& bisector, const Conic& piece) 
 
 ReachedEdge reachedEdge(const Site& site, ReachOfSite reach, const Site& neighbor,
                         ReachOfSite itsReach, const Conic& curve) {
-  // From the reference site, whichever of the two asks.
+  // Computed from the reference site, whichever of the two asks.
   const bool isReference = precedes(neighbor, site);
   const Site &a = isReference ? site : neighbor, &b = isReference ? neighbor : site;
   const Conic piece = isReference ? curve : curve.reversed();
@@ -51,7 +52,8 @@ ReachedEdge reachedEdge(const Site& site, ReachOfSite reach, const Site& neighbo
   ReachedEdge found;
   const auto [first, last] = rangeOf(bisector, piece);
   const Place start{first, piece.p0}, end{last, piece.p2};
-  // Of one distance for both sites, too: the bits must not depend on which one asks.
+  // If both have the same distance, computed from one of them: the bits must not depend on which
+  // one asks.
   const bool isSame = reach.distance == itsReach.distance && !isReference;
   const double own = isSame ? endOfReach(neighbor, itsReach, site, bisector)
                             : endOfReach(site, reach, neighbor, bisector);
@@ -65,7 +67,7 @@ ReachedEdge reachedEdge(const Site& site, ReachOfSite reach, const Site& neighbo
     const Conic part = isWhole ? piece : pieceOf(bisector, from.e, to.e, from.point, to.point);
     found.pieces[found.count++] = {part, isShared && (isWhole || !isTouch(bisector, part))};
   };
-  // Where the site's reach begins and ends, and within that, where both reach.
+  // Cuts at the ends of the site's reach, and between them at the ends of what both reach.
   const bool isFromCut = start.e<1 / own, isToCut = end.e> own;
   const Place from = isFromCut ? Place{1 / own, bisector.at(1 / own)} : start;
   const Place to = isToCut ? Place{own, bisector.at(own)} : end;

@@ -139,8 +139,8 @@ void RectangleCellClipper::closePart() {
   const std::uint32_t start = cell_.starts.back();
   const auto pieces = std::span(cell_.pieces).subspan(start);
   if (pieces.empty()) return;
-  // Of its own first point, which is the same after any history: a sliver is there after all of
-  // them, or after none.
+  // The area is computed from the part's own first point, which is the same after any history: so a
+  // sliver is kept after every history, or after none.
   const auto hasArea = [&] {
     const Area area = areaOf(pieces, window_.nearestTo(pieces.front().curve.p0));
     return area.value > area.rounding;

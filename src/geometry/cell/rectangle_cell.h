@@ -34,7 +34,7 @@ class RectangleCellClipper final : public CellClipper {
     SiteId neighbor;
   };
 
-  /// What is left of an edge in one piece.
+  /// The clipped edge of a half-edge, if it is one piece.
   struct KeptEdge {
     ClippedPiece piece;
     HalfedgeId halfedge{0xFFFFFFFFu};
@@ -54,7 +54,7 @@ class RectangleCellClipper final : public CellClipper {
   const DiagramCore& core_;
   Rectangle window_;
   Cell cell_;
-  FlatArray<KeptEdge> kept_;  // by half-edge, the last of those with the same remainder
+  FlatArray<KeptEdge> kept_;  // by half-edge modulo kMostKept: the last one
   KeptVertices vertices_;
   FlatArray<Piece> pieces_;
   FlatArray<BorderContact> contacts_;

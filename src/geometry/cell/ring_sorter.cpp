@@ -8,8 +8,8 @@ namespace apollonius::internal {
 
 namespace {
 
-/// How far rounding moves a region's boundary at most where it meets an edge, in units of the
-/// numbers there and of the distance from the site. Thinner parts are discarded.
+/// How far rounding moves a region's boundary at most where it meets an edge, relative to the
+/// coordinates there and the distance from the site. Thinner parts are discarded.
 constexpr double kThinnest = powerOfTwo(-46);
 
 }  // namespace
@@ -68,7 +68,7 @@ void RingSorter::sortInto(Cell& cell) {
     cell.starts.push_back(static_cast<std::uint32_t>(cell.pieces.size()));
   };
   const std::size_t count = areas_.size();
-  if (parts_ == Parts::kThinToo) {  // what is a hole of what is not known
+  if (parts_ == Parts::kThinToo) {  // nesting is not determined
     for (std::uint32_t k = 0; k < count; ++k) take(k);
     if (count > 0) cell.outers.push_back(static_cast<std::uint32_t>(count));
     return;

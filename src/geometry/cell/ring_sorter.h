@@ -14,18 +14,18 @@ class RingSorter final : private NestedRings {
  public:
   explicit RingSorter(Parts parts) : parts_(parts) {}
 
-  /// Begins with a cell, whose site has this centre.
+  /// Begins a new cell, whose site has this centre.
   void clear(Point center);
-  /// To the ring under way.
+  /// Adds a piece to the current ring.
   void add(const BoundaryPiece& piece) { found_.pieces.push_back(piece); }
   /// Ends a ring; takes it back if it has no area up to rounding, unless thin parts are asked for.
   /// Rounding has moved the places where a ring meets edges, but not one that is given.
   void closeRing(bool isGiven = false);
-  /// Puts them into a cell without parts, each hole behind the outer ring around it. Cost: for each
-  /// hole what ring_nesting.h says, about O(log n) for n pieces and rings.
+  /// Adds the rings to a cell without parts, each hole behind the outer ring around it. Cost: for
+  /// each hole what ring_nesting.h says, about O(log n) for n pieces and rings.
   void sortInto(Cell& cell);
 
-  /// How much has been looked at to find the rings around holes.
+  /// Number of steps taken to find the rings around holes.
   [[nodiscard]] std::size_t looks() const { return nesting_.looks(); }
 
  private:
@@ -45,8 +45,8 @@ class RingSorter final : private NestedRings {
   Point center_;
   Cell found_;  // in the order in which they are found
   FlatArray<double> areas_;
-  RingNesting nesting_{*this};  // of those that are no holes
-  Point asked_;                 // of the hole whose ring is searched
+  RingNesting nesting_{*this};  // the rings that are no holes
+  Point asked_;                 // a point of the hole whose outer ring is searched
 };
 
 }  // namespace apollonius::internal

@@ -1,4 +1,4 @@
-// Drawings of cells: of one, and of all in portions, as commands or as texts.
+// Drawings of cells: one cell, or all in portions, as commands or as texts.
 #pragma once
 
 #include "apollonius/path.h"
@@ -10,12 +10,12 @@ namespace apollonius::internal {
 /// Adds a closed figure for each ring.
 void drawCell(const Cell& cell, Tolerance tolerance, Path& path);
 
-/// Replaces the drawings by those of the portion, whose cursor is a slot. Throws std::bad_alloc,
-/// std::length_error.
+/// Replaces the drawings by those of the next portion, whose cursor is a slot. Throws
+/// std::bad_alloc, std::length_error.
 void drawCells(const DiagramCore& core, const Clipping& clipping, Tolerance tolerance,
                Portion& portion, CellDrawings& drawings);
 
-/// The same as texts. REQUIRES: digits <= PathWriter::kMostDigits.
+/// Writes the drawings of the next portion as texts. REQUIRES: digits <= PathWriter::kMostDigits.
 void writeCells(const DiagramCore& core, const Clipping& clipping, Tolerance tolerance,
                 unsigned digits, Portion& portion, CellPaths& paths);
 

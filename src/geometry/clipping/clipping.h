@@ -1,6 +1,6 @@
-// What is inside a window: of edges, of cells, and sums over all cells. Each kind of window
-// implements this interface: RectangleClipping, PolygonClipping. All that works on a window
-// (src/api) knows the interface only.
+// Clips to a window: edges, cells, and sums over all cells. Each kind of window implements this
+// interface: RectangleClipping, PolygonClipping. The code that works on a window (src/api) knows
+// only the interface.
 #pragma once
 
 #include <memory>
@@ -19,8 +19,8 @@
 
 namespace apollonius::internal {
 
-/// A piece of an edge, counter-clockwise about its reference site, and at which of its ends the
-/// edge ends, too: at a Voronoi vertex. It is cut at the others.
+/// A piece of an edge, counter-clockwise about its reference site. Each of its ends is a Voronoi
+/// vertex, or a point where the edge is cut.
 struct EdgePart {
   Conic curve;
   bool startsAtVertex, endsAtVertex;
@@ -36,7 +36,7 @@ class EdgeVisitor {
   ~EdgeVisitor() = default;
 };
 
-/// All of it throws std::bad_alloc.
+/// All functions throw std::bad_alloc.
 class Clipping {
  public:
   Clipping() = default;
@@ -47,15 +47,16 @@ class Clipping {
   /// A rectangle that holds the window.
   [[nodiscard]] virtual const Rectangle& box() const = 0;
   [[nodiscard]] virtual const Border& border() const = 0;
-  /// Each ring of the window's border, the inside on its left.
+  /// Visits each ring of the window's border, the inside on its left.
   virtual void visitRings(FunctionRef<void(std::span<const Point>)> visit) const = 0;
   [[nodiscard]] virtual std::unique_ptr<CellClipper> cells(Parts parts) const = 0;
-  /// Each piece of an edge inside, with the same bits after any history.
+  /// Visits each piece of an edge inside, with the same bits after any history.
   virtual void visitEdges(EdgeVisitor& visitor) const = 0;
   virtual void measureCells(Measure what, std::vector<double>& measures) const = 0;
-  /// Of new circles whose cells end at the window only, not at a distance from their sites.
+  /// The natural neighbours of new circles whose cells end at the window only, not at a distance
+  /// from their sites.
   [[nodiscard]] virtual std::unique_ptr<NaturalNeighbors> naturalNeighbors() const = 0;
-  /// Each edge inside once; render.h says how portions work.
+  /// Draws each edge inside once; render.h says how portions work.
   virtual void drawEdges(Tolerance tolerance, Portion& portion, Path& path) const = 0;
 };
 

@@ -8,7 +8,7 @@ namespace apollonius::internal {
 
 namespace {
 
-/// Passes on what of edges is within the reach of both sites.
+/// Passes on the parts of edges that are within the reach of both sites.
 class SharedEdges final : public EdgeVisitor {  // NOLINT: nothing derives from it
  public:
   SharedEdges(const DiagramCore& core, const Reach& reach, EdgeVisitor& visitor)
@@ -73,7 +73,7 @@ void ReachClipping::drawEdges(Tolerance tolerance, Portion& portion, Path& path)
     if (ids.state(slot) != SiteState::kVisible) continue;
     for (const BoundaryPiece& piece : clipper->find(slot).pieces) {
       const SiteId neighbor = piece.sharedWith();
-      // What two cells share, of one of them.
+      // A piece that two cells share is drawn for one of them.
       if (neighbor == kNoSite ? !piece.isAtReach
                               : !precedes(core_.site(ids.slotOf(neighbor)), core_.site(slot)))
         continue;

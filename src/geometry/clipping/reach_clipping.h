@@ -1,5 +1,5 @@
-// What is inside a window and within the reach of the sites (reach_cell.h). It asks for cells one
-// by one, of a clipping to the window.
+// Clips to a window and to the reach of the sites (reach_cell.h). Takes cells one by one from a
+// clipping to the window.
 #pragma once
 
 #include "apollonius/reach.h"
@@ -17,11 +17,11 @@ class ReachClipping final : public Clipping {
   [[nodiscard]] const Border& border() const override { return window_.border(); }
   void visitRings(FunctionRef<void(std::span<const Point>)> visit) const override;
   [[nodiscard]] std::unique_ptr<CellClipper> cells(Parts parts) const override;
-  /// What two cells share.
+  /// Visits the pieces that two cells share.
   void visitEdges(EdgeVisitor& visitor) const override;
   void measureCells(Measure what, std::vector<double>& measures) const override;
   [[nodiscard]] std::unique_ptr<NaturalNeighbors> naturalNeighbors() const override;
-  /// And where cells end without a neighbor.
+  /// Draws the edges that two cells share, and the arcs where cells end without a neighbor.
   void drawEdges(Tolerance tolerance, Portion& portion, Path& path) const override;
 
  private:

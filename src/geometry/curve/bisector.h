@@ -1,8 +1,8 @@
 // The bisector of two circles, |p - a| - ra = |p - b| - rb: a line if the weights are equal, else a
 // branch of a hyperbola with its foci at the centres (paper, section 2). Also the bisector of two
-// Voronoi circles, which Appendix A draws the dual with.
+// Voronoi circles, with which Appendix A draws the dual.
 //
-// It is seen from the *reference site*, the circle of larger weight, around which it bends away: in
+// It is seen from the *reference site*, the circle of larger weight, away from which it bends: in
 // the frame with the reference site at the origin and the other centre at (D, 0), with
 // A = (ra - rb)/2 >= 0, B = √p/2 and p = D² - (ra - rb)² (so that A² + B² = (D/2)²), it is
 //
@@ -20,7 +20,7 @@
 
 namespace apollonius::internal {
 
-/// The place of a point on a bisector: cosh t and sinh t from E.
+/// The coordinates of a point on a bisector: cosh t and sinh t from E.
 struct HyperbolicCoordinates {
   double cosh, sinh;
   explicit HyperbolicCoordinates(double e) : cosh((e + 1 / e) / 2), sinh((e - 1 / e) / 2) {}
@@ -31,8 +31,8 @@ class Bisector {
   /// REQUIRES: neither covers the other, `reference` has the larger weight or the same.
   Bisector(const Site& reference, const Site& other);
 
-  /// Has it a meaning in doubles? Not if the centres are so close, or one circle so nearly covers
-  /// the other, that B is 0.
+  /// Is it known in doubles? Not if the centres are so close, or one circle so nearly covers the
+  /// other, that B is 0.
   [[nodiscard]] bool isKnown() const { return b_ > 0; }
   [[nodiscard]] bool isLine() const { return a_ == 0; }
   [[nodiscard]] double distance() const { return d_; }    ///< D
@@ -68,22 +68,20 @@ class Bisector {
 class LineForm {
  public:
   LineForm(const Bisector& bisector, Point normal, double offset);
-  /// Of the line through a point.
+  /// The form of the line through a point.
   LineForm(const Bisector& bisector, Point normal, Point through);
 
-  /// Is it positive or 0 at a place? Towards the ends at infinity (E = 0 and E = infinity): does it
-  /// tend to that from above?
+  /// Is it positive or 0 at E = e? At the ends at infinity (E = 0 and E = infinity): is its limit?
   [[nodiscard]] bool isBeyond(double e) const;
-  /// Where it becomes positive, and where it becomes negative, as E grows. Meaningful where there
-  /// is such a place: between two places of different sign, or on the two sides of a dip or bump.
-  /// Clamped to [e0, e1].
+  /// The E where it becomes positive, or negative, as E grows, clamped to [e0, e1]. Meaningful only
+  /// if there is one: between two E of different sign, or on the two sides of a dip or bump.
   [[nodiscard]] double rise(double e0, double e1) const;
   [[nodiscard]] double fall(double e0, double e1) const;
-  /// The same on the whole bisector; 0 if there is no such place.
+  /// The E where it becomes positive, or negative, on the whole bisector; 0 if there is none.
   [[nodiscard]] double rise() const;
   [[nodiscard]] double fall() const;
-  /// Does it dip below 0 (for sign = 1), or rise above 0 (sign = -1), strictly between two places
-  /// where it has that sign? `at` receives the place of the extremum.
+  /// Does it dip below 0 (for sign = 1), or rise above 0 (sign = -1), strictly between e0 and e1,
+  /// where it has that sign? `at` receives the E of the extremum.
   [[nodiscard]] bool hasExcursion(int sign, double e0, double e1, double& at) const;
 
  private:

@@ -1,6 +1,6 @@
-// The dual graph drawn (paper, Appendix A): every Delaunay edge is a piece of the bisector of the
-// two Voronoi circles at the ends of its Voronoi edge, which passes through both centres (Lemma 7).
-// Together they are a planar embedding (Theorem 4). By Lemma 8 an edge is
+// The drawing of the dual graph (paper, Appendix A): every Delaunay edge is a piece of the bisector
+// of the two Voronoi circles at the ends of its Voronoi edge; this bisector passes through both
+// centres (Lemma 7). Together they are a planar embedding (Theorem 4). By Lemma 8 an edge is
 //
 //   - a hyperbola piece, or a segment if both circles have the same radius;
 //   - a parabola piece, if one of the circles is a half-plane;
@@ -20,14 +20,14 @@
 // sums of positive terms, so it is good to a few units in the last place however large a circle is,
 // and half-planes are nothing special (1/rho = 0).
 //
-// Where more than three sites touch one circle, an edge has the same circle at both ends. The limit
-// of its hyperbola are then the two segments from the centres to m, the centre of that circle;
+// Where more than three sites touch one circle, an edge has the same circle at both ends. Its
+// hyperbola then degenerates to the two segments from the centres to m, the centre of that circle;
 // several edges can meet there, but they do not cross.
 //
-// What is drawn is off by the tolerance and some units in the last place of its own coordinates: so
-// edges cross by no more than that. An edge that has to pass around the centre of a circle 10^15
-// times as large as its sites, as three nearly in line have, does go there; so far out, doubles
-// cannot tell it from others that do. Near the sites they do not cross
+// The drawing is off by the tolerance and some units in the last place of its own coordinates: so
+// edges cross by no more than that. Three sites nearly in line can have a circle 10^15 times as
+// large as they are. An edge that has to pass around its centre does go there; so far out, doubles
+// cannot tell it from others that do. Near the sites, edges do not cross
 // (tests/geometry/dual_test.cpp).
 #pragma once
 

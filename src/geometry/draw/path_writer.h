@@ -1,5 +1,5 @@
-// Paths as SVG path data, with the numbers that JavaScript writes (wasm/package/core/path.ts),
-// several times as fast.
+// Paths as SVG path data, with the same numbers as JavaScript writes (wasm/package/core/path.ts),
+// but several times as fast.
 #pragma once
 
 #include <cstdint>
@@ -12,15 +12,15 @@ namespace apollonius::internal {
 
 class PathWriter {
  public:
-  /// Of doubles: decimal numbers of this many digits are all different as doubles, so that the
-  /// shortest text of one is the number itself.
+  /// Decimal numbers of this many digits are all different as doubles, so that the shortest text of
+  /// such a double is the decimal number itself.
   static constexpr unsigned kMostDigits = 15;
 
-  /// Numbers are rounded to this many decimal places, halves upwards. REQUIRES: <= kMostDigits.
+  /// Rounds numbers to this many decimal places, halves upwards. REQUIRES: <= kMostDigits.
   explicit PathWriter(unsigned digits);
 
-  /// Adds it to the text. false if a number has more than kMostDigits digits when it is rounded:
-  /// then a part is missing. Throws std::bad_alloc, std::length_error.
+  /// Adds the path to the text. False if a rounded number has more than kMostDigits digits: then a
+  /// part is missing. Throws std::bad_alloc, std::length_error.
   [[nodiscard]] bool write(const Path& path, std::vector<std::uint8_t>& text);
 
  private:

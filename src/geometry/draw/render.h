@@ -13,20 +13,20 @@
 
 namespace apollonius::internal {
 
-/// Each Voronoi edge inside the window once.
+/// Draws each Voronoi edge inside the window once.
 void drawEdges(const DiagramCore& core, const Rectangle& window, Tolerance tolerance,
                Portion& portion, Path& path);
 
-/// What of each edge is inside a region.
+/// Draws the part of each Voronoi edge that is inside a region.
 void drawEdges(const ClippedDiagram& clippedDiagram, Tolerance tolerance, Portion& portion,
                Path& path);
 
-/// The dual graph; with a window also the rays to infinity, cut where they leave it (none from
-/// sites outside).
+/// Draws the dual graph; with a window also the rays to infinity, cut where they leave it (none
+/// from sites outside).
 void drawDual(const DiagramCore& core, const Rectangle* window, Tolerance tolerance,
               Portion& portion, Path& path);
 
-/// The circles of all sites, hidden ones too.
+/// Draws the circles of all sites, hidden ones too.
 void drawSites(const DiagramCore& core, Tolerance tolerance, Portion& portion, Path& path);
 
 }  // namespace apollonius::internal

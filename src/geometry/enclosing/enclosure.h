@@ -1,8 +1,8 @@
 // The smallest circle around two or three circles, and which further circles are within it.
 //
 // A circle of centre p and radius R that a site touches from inside has |p - c| + r = R: it is the
-// circle that the site with the opposite weight touches from outside, of clearance R. So the
-// questions about three sites are those about a Voronoi vertex of opposite sites.
+// circle of clearance R that the site with the opposite weight touches from outside. So questions
+// about three sites are questions about a Voronoi vertex of opposite sites.
 #pragma once
 
 #include <array>
@@ -26,9 +26,9 @@ class Enclosure {
   [[nodiscard]] std::size_t size() const { return size_; }
   [[nodiscard]] const Site& site(std::size_t k) const { return sites_[k]; }
 
-  /// Is a site within the circle? Positive, and it does not touch; zero, and it touches from
-  /// inside; negative: it goes beyond. Exact: of degree 4 for two sites, 8 for three. REQUIRES: the
-  /// site covers none of these.
+  /// Is a site within the circle? Positive: yes, without touching it; zero: it touches from inside;
+  /// negative: it goes beyond. Exact: of degree 4 for two sites, 8 for three. REQUIRES: the site
+  /// covers none of these.
   [[nodiscard]] Sign holds(const Site& q) const;
   /// How far a site goes beyond the circle, about.
   [[nodiscard]] double excess(const Site& q) const;
@@ -42,9 +42,9 @@ class Enclosure {
   [[nodiscard]] Sign holdsBeside(const Site& q) const;
 
   std::array<Site, 3> sites_;     // three of them counter-clockwise
-  std::array<Site, 3> opposite_;  // the same with opposite weights
+  std::array<Site, 3> opposite_;  // sites_ with opposite weights
   std::size_t size_;
-  VoronoiCircle circle_;  // of clearance R
+  VoronoiCircle circle_;  // its clearance is R
 };
 
 }  // namespace apollonius::internal

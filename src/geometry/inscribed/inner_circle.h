@@ -13,19 +13,19 @@ namespace apollonius::internal {
 
 /// Replaces `curves` by those of a cell.
 void copyCurves(const Cell& cell, FlatArray<Conic>& curves);
-/// A box that holds some curves: that of their control points. REQUIRES: there is one.
+/// The box of the control points of some curves, which holds them. REQUIRES: there is a curve.
 [[nodiscard]] Rectangle boxOf(std::span<const Conic> curves);
-/// Below this, doubles tell no difference between coordinates in a box.
+/// The least difference between coordinates in a box that doubles can tell.
 [[nodiscard]] double grainOf(const Rectangle& box);
 
 /// Keeps its scratch memory from one outline to the next.
 class InnerCircleFinder {
  public:
-  /// Finds the largest circle inside rings of curves, of which starts[k] is the first curve of ring
-  /// k, and the last entry the number of curves; at least one. r is at least 0.999 of what is
-  /// possible, and the circle is inside but for rounding. With an aspect, the ellipse that is as
-  /// many times as wide as high: r is half its height. Its result, its cost and what it throws are
-  /// those of WidestPlace::find().
+  /// Finds the largest circle inside rings of curves: starts[k] is the first curve of ring k, and
+  /// the last entry the number of curves; at least one. r is at least 0.999 of what is possible,
+  /// and the circle is inside up to rounding. With an aspect, finds the ellipse that is that many
+  /// times as wide as high: r is half its height. Result, cost and exceptions are those of
+  /// WidestPlace::find().
   [[nodiscard]] bool find(std::span<const Conic> curves, std::span<const std::uint32_t> starts,
                           double aspect, Place& circle);
 

@@ -12,21 +12,21 @@ namespace apollonius::internal {
 
 namespace {
 
-constexpr double kGap = powerOfTwo(-11);  // a place that is better by this share is not looked for
+constexpr double kGap = powerOfTwo(-11);    // places better by less than this share are not sought
 constexpr double kShare = powerOfTwo(-13);  // heights of pieces, of the r of a place
-/// Cells at random take some twenty looks, thin rings some hundred for each of their sides.
+/// Random cells take some twenty steps, thin rings some hundred for each of their sides.
 constexpr std::size_t kMostLooks = 1 << 16, kLooksOfCurve = 1 << 7;
 constexpr std::size_t kManyPieces = 64;  // in a box, from which on no strips are looked for
 constexpr double kParallel = 0.9;        // the cosine from which on two pieces are side by side
-/// Near a box no more pieces are halved than make so many.
+/// Pieces near a box are halved until there are this many.
 constexpr std::size_t kManyNear = 64;
-/// Fewer are halved as they come, not the highest first.
+/// Up to this many, pieces are halved in their order, not the highest first.
 constexpr std::size_t kFewNear = 16;
 constexpr double kFine = 16;
 constexpr int kMostMoves = 4;                    // to a place between three obstacles
 constexpr double kLeastInner = powerOfTwo(-10);  // below which three of them are not around it
 constexpr int kMostRounds = 16;
-constexpr int kMostSteps = 32;  // of a linear program: nearly all take two to six
+constexpr int kMostSteps = 32;  // in a linear program: nearly all take two to six
 
 /// A vector of the linear program: of x, y and r.
 struct Vector {
@@ -54,7 +54,7 @@ double mostOf(Point slope, Point half) {
 }  // namespace
 
 bool WidestPlace::isEnough(double most) const {
-  // A bound and a place are off by the heights of pieces that are not halved, too.
+  // Bounds and places also have the error of the heights of pieces that are not halved.
   return !(most - best_.r > kGap * absolute(best_.r) + 2 * grain_);
 }
 
@@ -91,7 +91,8 @@ bool WidestPlace::find(const Rectangle& box, double grain, Place& best,
   return true;
 }
 
-/// Keeps a box if a better place can be in it; what is near it is among near_[near] to near_[end].
+/// Examines a box and keeps it if a better place can be in it. The obstacles near it are among
+/// near_[near] to before near_[end].
 void WidestPlace::look(Box box, std::uint32_t near, std::uint32_t end) {
   box.reach = length(box.half);
   const bool wasFree = box.isFree;
@@ -134,12 +135,13 @@ void WidestPlace::look(Box box, std::uint32_t near, std::uint32_t end) {
   std::push_heap(boxes_.begin(), boxes_.end());
 }
 
-/// Fills seen_ with what can be the nearest obstacle in a box, or meets it.
+/// Fills seen_ with the obstacles that can be nearest somewhere in a box, or meet it.
 void WidestPlace::gather(Box& box, std::uint32_t near, std::uint32_t end) {
   seen_.clear();
   for (std::uint32_t k = near; k < end; ++k) see(box, near_[k]);
-  // Heights add to the bounds, which are otherwise off by about the square of the reach. The
-  // largest ones are halved first, and only some; where bounds need more, refine() does it.
+  // Heights add to the bounds, whose error is otherwise about the square of the reach. The pieces
+  // of the largest heights are halved first, and only some; where bounds need more, refine() does
+  // it.
   const double fine = std::max(kShare * best_.r, box.reach / kFine);
   for (double most = seen_.size() < kFewNear ? fine : box.reach; most >= fine; most /= 2)
     halve(box, most);
@@ -149,8 +151,8 @@ void WidestPlace::gather(Box& box, std::uint32_t near, std::uint32_t end) {
   }
 }
 
-/// Halves pieces of more than a height, unless there are many, and leaves out what cannot be
-/// nearest to any place of the box.
+/// Halves the pieces higher than `height`, unless there are many, and drops those that cannot be
+/// nearest to any point of the box.
 void WidestPlace::halve(Box& box, double height) {
   for (std::size_t k = 0; k < seen_.size();) {
     const auto [number, distance, own] = seen_[k];
@@ -167,7 +169,7 @@ void WidestPlace::halve(Box& box, double height) {
   }
 }
 
-/// Puts the halves of a piece in its place.
+/// Replaces a piece by its halves.
 void WidestPlace::split(Box& box, std::size_t k) {
   const std::uint32_t half = border_.firstHalf(seen_[k].number);
   see(box, half + 1);
@@ -183,8 +185,8 @@ void WidestPlace::see(Box& box, std::uint32_t number) {
   seen_.push_back(one);
 }
 
-/// Halves the pieces whose heights keep a mean away from the best place; false if there are none,
-/// as where a smaller box helps more.
+/// Halves the pieces whose heights keep a mean above the best place; false if there are none, as
+/// where a smaller box helps more.
 bool WidestPlace::refine(Box& box, const Mean& mean) {
   const double fine = (box.most - best_.r) / 16;
   const std::size_t before = seen_.size();
@@ -203,8 +205,8 @@ bool WidestPlace::refine(Box& box, const Mean& mean) {
   return seen_.size() > before;
 }
 
-/// Halves pieces that lead through the box side by side, in the order of meeting_, where heights
-/// matter to their strips; false if there are none.
+/// If the pieces of meeting_ run through the box side by side, halves those whose heights matter to
+/// their strips; false if there are none.
 bool WidestPlace::refineStrips(Box& box) {
   if (!isSideBySide_) return false;
   const double width =
@@ -261,7 +263,7 @@ void WidestPlace::listBounds(const Box& box) {
   }
 }
 
-/// Lines of the cell's outline that have all of the cell on one side.
+/// Adds a bound for each line of the cell's outline that has the whole cell on one side.
 void WidestPlace::listWalls(const Box& box) {
   BorderTree& outline = cell_->outline;
   outline.listMeeting(box.center, box.half, box.reach / kFine, outline_);
@@ -276,9 +278,10 @@ void WidestPlace::listWalls(const Box& box) {
   }
 }
 
-/// Where all pieces in a box lead through it side by side, what is inside is strips between them,
-/// and each strip is on one side of the lines of two pieces, or of one. Then `mean` becomes that of
-/// the strip with the most room, with its bounds at the end of bounds_. A place is tried in each.
+/// Where all pieces in a box run through it side by side, the inside consists of strips between
+/// them, and each strip is on one side of the lines of two pieces, or of one. Then replaces `mean`
+/// by that of the strip with the most room, whose bounds are at the end of bounds_. Tries a place
+/// in each strip.
 void WidestPlace::boundByStrips(const Box& box, Mean& mean) {
   if (meeting_.empty() || meeting_.size() > kManyPieces) return;
   const Point across = meeting_[0].normal, along = leftOf(across);
@@ -292,8 +295,8 @@ void WidestPlace::boundByStrips(const Box& box, Mean& mean) {
     low = std::max(low, std::min(from, to));
     high = std::min(high, std::max(from, to));
   }
-  // A line that crosses all of them meets them in the order of the strips. Without such a line, as
-  // where two pieces cut off two corners of the box, the pieces bound no strips.
+  // A line that crosses all pieces meets them in the order of the strips. Without such a line, as
+  // where two pieces cut off two corners of the box, they bound no strips.
   if (!(low < high)) return;
   for (Meeting& one : meeting_) {
     const Point way = one.part.b - one.part.a;
@@ -304,8 +307,8 @@ void WidestPlace::boundByStrips(const Box& box, Mean& mean) {
     for (std::size_t n = k; n > 0 && meeting_[n].position < meeting_[n - 1].position; --n)
       std::swap(meeting_[n], meeting_[n - 1]);
   isSideBySide_ = true;
-  // The order of two curves may be another one where a part goes beyond the line of a part that is
-  // farther on, or where that is less than their heights.
+  // Two curves may have another order than their parts where one part crosses the line of a later
+  // one, or where their distance is less than their heights.
   const std::size_t count = meeting_.size();
   double height = 0, overlap = 0;
   for (std::size_t k = 0; k < count; ++k) {
@@ -358,8 +361,8 @@ double WidestPlace::distanceOf(std::uint32_t number, Point p) const {
   return length(p - cell_->own.center) - cell_->own.r;
 }
 
-/// How much a convex function, of which a bound has the slope at the centre, is above it at a
-/// corner of the box at most.
+/// The most that a convex function is above its linear function at a corner of the box. Both have
+/// the value and the slope at the centre in common.
 double WidestPlace::excess(Bound::By by, std::uint32_t number, Point center, Point half,
                            Point slope) const {
   if (by == Bound::By::kLine || by == Bound::By::kWall) return 0;
@@ -371,7 +374,7 @@ double WidestPlace::excess(Bound::By by, std::uint32_t number, Point center, Poi
     return std::max(0.0, std::max(most + before, most - behind));
   }
   if (number != kCircle && !(slope == Point{})) {
-    // Linear, if the feet of all places are on the chord, and all places on one side of it.
+    // Linear if all points of the box are on one side of the chord, with their feet on it.
     const BorderChord chord = border_.chord(number);
     const Point along{slope.y, -slope.x};
     const double most = mostOf(along, half), one = dot(along, chord.a - center),
@@ -386,8 +389,8 @@ double WidestPlace::excess(Bound::By by, std::uint32_t number, Point center, Poi
                   }));
 }
 
-/// The dual simplex method: three constraints at a time, of which the optimum is a bound whether or
-/// not others cut it off.
+/// Solves the linear program by the dual simplex method: the optimum of three constraints at a time
+/// is a bound, whether or not other constraints cut it off.
 WidestPlace::Mean WidestPlace::leastMean(Point half) const {
   // Constraints: r - slope p <= value of each bound; then the sides x <= half.x, …
   const auto bounds = static_cast<std::uint32_t>(bounds_.size());
@@ -483,14 +486,14 @@ WidestPlace::Mean WidestPlace::leastMean(Point half) const {
   return mean;
 }
 
-/// A bound by three obstacles around a place that is equally far from them, at v: with unit vectors
-/// u from places of theirs at the distances d, none of which is less than `least`,
+/// A bound by three obstacles around a point p at the same distance v from them. With unit vectors
+/// u towards p from their nearest points, at the distances d, none of which is less than `least`,
 ///
 ///     D(p + way) <= v + u way + way² / (2 least).
 ///
-/// The u have the origin between them, c from the sides of their triangle. So one of them has
-/// u way <= - c |way|, and up to |way| = 2 c `least` no place is better. Of lines d is infinite.
-/// Where c is 0, as between two obstacles, that is no bound. A place is tried in the middle.
+/// The triangle of the u has the origin inside, at the distance c from its sides. So one u has
+/// u way <= - c |way|, and up to |way| = 2 c `least` no point is better. For lines, d is infinite.
+/// Where c is 0, as between two obstacles, this is no bound. Tries the place at p.
 double WidestPlace::boundAround(const Box& box, const Mean& mean) {
   if (std::min({mean.weights[0], mean.weights[1], mean.weights[2]}) == 0) return kInfinite;
   Point p = box.center + mean.at, slopes[3];
@@ -524,7 +527,8 @@ double WidestPlace::boundAround(const Box& box, const Mean& mean) {
     }
     if (!(inner > kLeastInner)) return kInfinite;
     farthest = std::max({values[0], values[1], values[2]});
-    // Where linear functions are equal; as they are nearly so, the next values are within rounding.
+    // Moves to where the linear functions are equal. They nearly are, so the next values are equal
+    // up to rounding.
     const Point way{(first * other.y - second * one.y) / area,
                     (second * one.x - first * other.x) / area};
     if (std::max(absolute(first), absolute(second)) <= kShare / 4 * farthest) break;
@@ -536,9 +540,9 @@ double WidestPlace::boundAround(const Box& box, const Mean& mean) {
   return farthest + std::max(0.0, reach * (reach / (2 * least) - inner));
 }
 
-/// How much the largest value of a mean in a box of these extents is above what places there may
-/// have: the excess; and where a part of the box is outside, which may be the one with that value,
-/// what the mean grows by from the centre.
+/// How far the largest value of a mean in a box of these extents may be above the r of places
+/// there: the excess; and if a part of the box is outside, which may be where that value is, also
+/// the growth of the mean from the centre on.
 double WidestPlace::lossOf(const Mean& mean, const Box& box, Point half) const {
   double loss = 0;
   Point together{};
@@ -551,7 +555,7 @@ double WidestPlace::lossOf(const Mean& mean, const Box& box, Point half) const {
   return box.isFree ? loss : loss + mostOf(together, half);
 }
 
-/// Is a part of the box in the cell? A place on the outline is tried, if one is in the box.
+/// Is a part of the box in the cell? Tries a place on the outline, if one is in the box.
 bool WidestPlace::isInside(Box& box) {
   Point place;
   if (cell_->outline.meets(box.center, box.half, place)) {
@@ -562,7 +566,7 @@ bool WidestPlace::isInside(Box& box) {
   return box.isFree;
 }
 
-/// Takes a place if it is inside and better.
+/// Replaces best_ by a place if that is inside and better.
 void WidestPlace::consider(Point p, bool isInside) {
   for (const auto& [number, distance, height] : seen_)
     if (distanceOf(number, p) + height <= best_.r) return;

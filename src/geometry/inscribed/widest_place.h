@@ -1,13 +1,13 @@
-// The place inside a border that is farthest from it, and from circles: branch and bound over
+// The point inside a border that is farthest from it, and from circles: branch and bound over
 // boxes, the most promising one first (docs/PROOFS.md, "Circles inside").
 //
-// A place of the domain is no farther from the border than from a piece of it. So each piece that
-// is near a box gives a linear function that is nowhere in the box below the distance. No place
-// there is better than any weighted mean of such functions allows; the weights with the least
-// largest value are those of a linear program of three unknowns. Its place is the next candidate.
+// A point of the domain is no farther from the border than from a piece of it. So each piece near a
+// box gives a linear function that is an upper bound of the distance in the box. Any weighted mean
+// of such functions is an upper bound, too; the weights for which its largest value is least solve
+// a linear program of three unknowns. The program's point is the next candidate.
 //
-// Three functions are enough for any optimum, so where all of the domain is on one side of the
-// lines of three sides, the first box is the last one: in a polygon that is convex, however thin.
+// Three functions are enough for any optimum. So if the whole domain is on one side of the lines of
+// three sides, as in a convex polygon, however thin, the first box is the last one.
 #pragma once
 
 #include <cstdint>
@@ -18,19 +18,19 @@
 
 namespace apollonius::internal {
 
-/// A circle inside: its centre, and how far that is from all obstacles at least.
+/// A circle inside: its centre, and a lower bound of the centre's distance from all obstacles.
 struct Place {
   Point at;
   double r = 0;
 };
 
-/// A circle that places shall be far from.
+/// A circle from which the centre is to be far.
 struct Obstacle {
   Point center;
   double r;
 };
 
-/// Places are wanted in the cell of a circle: no other one is nearer there.
+/// The cell of a circle, if the centre is to be in it: no other circle is nearer there.
 struct CellOfObstacle {
   Obstacle own;
   BorderTree& outline;
@@ -41,56 +41,56 @@ class WidestPlace {
   /// REQUIRES: `border` lives as long.
   explicit WidestPlace(BorderTree& border) : border_(border) {}
 
-  /// Looks in a box for a place inside the border, and in a cell if there is one, that has a larger
-  /// r than `best`, which it replaces. The r of any other place in the box is larger by at most the
+  /// Searches a box for a place inside the border, and in the cell if one is given, with a larger r
+  /// than `best`, and replaces `best`. The r of any other place in the box is larger by at most the
   /// share 2^-11 and the grain, below which doubles tell no difference. False if the search does
-  /// not end, as where the border comes back to itself but for rounding. Throws std::bad_alloc.
-  /// Cost: in polygons and cells some ten to a hundred looks of O(log n).
+  /// not end, as where the border returns to itself up to rounding. Throws std::bad_alloc. Cost: in
+  /// polygons and cells some ten to a hundred steps of O(log n).
   [[nodiscard]] bool find(const Rectangle& box, double grain, Place& best,
                           const CellOfObstacle* cell = nullptr);
 
  private:
   struct Box {
-    Point center, half;       // of its extents
+    Point center, half;       // centre, and half of width and height
     double reach;             // from the centre to a corner
-    double most;              // no place in it has a larger r
-    double above;             // its centre is no farther from the obstacles
-    std::uint32_t near, end;  // in near_, what may be the nearest obstacle in it
+    double most;              // upper bound of r in it
+    double above;             // upper bound of its centre's distance from the obstacles
+    std::uint32_t near, end;  // range in near_: what may be the nearest obstacle in it
     bool isWide;              // is it to be divided across its width?
     bool isFree;              // inside, without a piece of the border or of the cell's outline
 
     friend bool operator<(const Box& a, const Box& b) { return a.most < b.most; }
   };
-  /// A piece of the border near the box that is looked at, or the cell's circle.
+  /// A piece of the border near the current box, or the cell's circle.
   struct Near {
-    std::uint32_t number;  // of a piece, or kCircle
-    double distance;       // of the box's centre from the chord or the circle
-    double height;         // of the piece
+    std::uint32_t number;  // a piece, or kCircle
+    double distance;       // from the box's centre to the chord or the circle
+    double height;         // the piece's
   };
   /// A piece that meets the box, and the part of its chord that does.
   struct Meeting {
     std::uint32_t piece;
     double height;
-    BorderChord part;  // as seen from the centre
+    BorderChord part;  // relative to the centre
     Point normal;      // to the left of the chord
-    bool isThrough;    // does it lead through the box?
+    bool isThrough;    // does it run through the whole box?
     double position;
   };
-  /// A function of p that is not below the distance in the box: value + slope (p - centre). For a
-  /// wall, one that is not below 0 in the cell.
+  /// An upper bound of the distance in the box: value + slope (p - centre). For a wall, a function
+  /// that is not below 0 in the cell.
   struct Bound {
     enum class By : std::uint8_t { kDistance, kSide, kLine, kWall } by;
     std::uint32_t number;  // as in Near; for a wall, of a piece of the cell's outline
-    double value;          // with the excess of a convex function over a linear one
+    double value;          // includes the excess of a convex function over a linear one
     double excess;
     Point slope;
   };
-  /// A combination of bounds, with weights of which those of distances add up to 1.
+  /// A combination of bounds. The weights of bounds of the distance add up to 1.
   struct Mean {
     std::uint32_t bounds[3];
     double weights[3];
     double most;  // its largest value in the box
-    Point at;     // relative to the centre: where no bound is below the least one much
+    Point at;     // relative to the centre: where the least of the bounds is about largest
   };
   static constexpr std::uint32_t kCircle = 0xFFFFFFFFu;  // the cell's own
 
@@ -122,7 +122,8 @@ class WidestPlace {
 
   FlatArray<Box> boxes_;  // a heap
   FlatArray<std::uint32_t> near_;
-  FlatArray<Near> seen_;  // of the box that is looked at, as are all below
+  // All below belong to the current box.
+  FlatArray<Near> seen_;
   FlatArray<Meeting> meeting_;
   bool isSideBySide_ = false;
   FlatArray<Bound> bounds_;

@@ -13,25 +13,25 @@ struct CellList {
     SiteId site;
     Slot slot;
     std::uint32_t firstPart, endPart;
-    bool isTraced;  ///< raw rings that may cross or touch
+    bool isTraced;  ///< has it raw rings that may cross or touch?
   };
 
   Rings rings;
-  FlatArray<char> isBorder;  ///< of raw rings, by point: does a segment of the border start there
-  FlatArray<Cell> cells;     ///< those that have rings, by site, ascending
+  FlatArray<char> isBorder;  ///< by point of raw rings: does a segment of the border start there?
+  FlatArray<Cell> cells;     ///< those with rings, by site, ascending
 
-  /// The numbers of a cell's rings: from one to before another.
+  /// The rings of a cell: from firstRing to before endRing.
   [[nodiscard]] std::uint32_t firstRing(const Cell& cell) const {
     return rings.parts[cell.firstPart];
   }
   [[nodiscard]] std::uint32_t endRing(const Cell& cell) const { return rings.parts[cell.endPart]; }
 };
 
-/// Raw rings are the points of edges and border as computed. Neighbours share them exactly, but
-/// where rounding has put points out of order, rings cross.
+/// Raw rings have the points of edges and border as computed. Neighbours have exactly the same
+/// points, but rings cross where rounding has put points out of order.
 enum class RingsAre : bool { kPolygons, kRaw };
 
-/// Of the sites with ids from `first` to before `end`. Throws std::bad_alloc.
+/// Lists the cells of the sites with ids from `first` to before `end`. Throws std::bad_alloc.
 [[nodiscard]] CellList listCells(const DiagramCore& core, PolygonFinder& finder, RingsAre what,
                                  SiteId first, std::size_t end);
 

@@ -11,8 +11,8 @@ namespace apollonius::internal {
 
 namespace {
 
-/// What rounding makes where segments cross that should not is thinner than this share of its
-/// numbers and of its distance from the site.
+/// Loops that exist by rounding only, where segments cross that should not, are thinner than this
+/// share of their coordinates and of their distance from the site.
 constexpr double kThinnest = powerOfTwo(-46);
 
 Point centerOf(const Site& site) { return {site.x, site.y}; }
@@ -37,7 +37,7 @@ void PolygonFinder::find(Slot site, Rings& rings) {
   const Soundness soundness = findRaw(site, rings);
   if (soundness == Soundness::kSure || rings.ringCount() == 0) return;
   if (soundness == Soundness::kUnsure) {
-    // Split where they cross, as the rings of a window are.
+    // The rings are split where they cross, like those of a window.
     const NormalizedPolygon polygon = normalizePolygon(rings.coordinates, rings.starts);
     rings.clear();
     for (std::size_t k = 0; k < polygon.ringCount(); ++k) {
@@ -105,7 +105,7 @@ bool PolygonFinder::appendRing(std::span<const BoundaryPiece> boundary, bool isH
       continue;
     }
     const Site& other = core_.site(core_.ids().slotOf(piece.neighbor));
-    // In one direction, whichever of the two cells it is found for.
+    // The chords are found in one direction, whichever of the two cells they are for.
     if (!precedes(site_, other)) {
       for (const Point p :
            chords_.find({piece.curve, center, centerOf(other), piece.fromSegment, piece.toSegment}))
@@ -115,7 +115,7 @@ bool PolygonFinder::appendRing(std::span<const BoundaryPiece> boundary, bool isH
           {piece.curve.reversed(), centerOf(other), center, piece.toSegment, piece.fromSegment});
       for (std::size_t k = chords.size(); k-- > 0;) goAlong(chords[k], false);
     }
-    // The piece may touch the border between its ends, where the ring comes by once more.
+    // The piece may touch the border between its ends, where the ring passes once more.
     if (chords_.isAtBorder()) atLeast(Soundness::kUnsure);
   }
   if (hasArea(std::span(rings.coordinates).subspan(begin), isHole)) return true;
@@ -128,8 +128,9 @@ bool PolygonFinder::appendRing(std::span<const BoundaryPiece> boundary, bool isH
   return false;
 }
 
-/// A piece with nothing on its right: of the edge with a neighbor that does not reach so far, whose
-/// cell's chords are inside of its circle; or an arc, which is seen from any point beyond.
+/// A piece with nothing on its right: a part of the edge with a neighbor that does not reach so
+/// far, whose cell's chords are inside of its circle; or an arc, for which any point beyond it
+/// serves as the centre on the right.
 EdgePiece PolygonFinder::atReach(const BoundaryPiece& piece, Point center) const {
   EdgePiece edge{piece.curve, center, {}, piece.fromSegment, piece.toSegment, 0};
   if (piece.neighbor == kNoSite) {

@@ -1,4 +1,4 @@
-// A cell as polygons: the points of its edges (chords.h), and those of the border between them.
+// The polygons of a cell: the points of its edges (chords.h), and those of the border between them.
 #pragma once
 
 #include "diagram/diagram_core.h"
@@ -10,27 +10,27 @@
 
 namespace apollonius::internal {
 
-/// Finds polygons of cells; keeps its scratch memory from one to the next.
+/// Finds the polygons of cells. Keeps its scratch memory from one cell to the next.
 class PolygonFinder {
  public:
-  /// Of cells as `cells` clips them at this border. REQUIRES: both live as long.
+  /// `cells` clips the cells at this border. REQUIRES: both live as long.
   PolygonFinder(const DiagramCore& core, CellClipper& cells, const Border& border,
                 Tolerance tolerance);
 
   /// CellClipper::expectAll.
   void expectAll() { cells_.expectAll(); }
 
-  /// The polygons of a site's cell; none if what it bounds is as small as the distance of doubles.
+  /// Finds the polygons of a site's cell; none if the cell is as small as the distance of doubles.
   void find(Slot site, Rings& rings);
 
-  /// What can be said of rings before they are traced.
+  /// How well rings are known before they are traced.
   enum class Soundness : unsigned char {
-    kSure,     ///< polygons: no two segments meet but where one follows the other
-    kTouches,  ///< rings that do not cross, but may touch
-    kUnsure,   ///< they may cross, where rounding has exchanged points
+    kSure,     ///< polygons: no two segments meet, except where one follows the other
+    kTouches,  ///< the rings do not cross, but may touch
+    kUnsure,   ///< the rings may cross, where rounding has swapped points
   };
-  /// The rings as edges and border give them: neighbours have the same points. `isBorder` gets for
-  /// each point whether a segment of the border starts there.
+  /// Finds the rings as edges and border give them: neighbours have the same points. `isBorder`
+  /// gets for each point whether a segment of the border starts there.
   Soundness findRaw(Slot site, Rings& rings, FlatArray<char>* isBorder = nullptr);
 
  private:

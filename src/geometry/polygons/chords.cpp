@@ -71,8 +71,8 @@ bool ChordFinder::isHalved(const Conic& curve, const Conic& first, const Conic& 
                            std::uint32_t fromSegment, std::uint32_t toSegment) const {
   const double sagitta = curve.sagitta();
   if (sagitta > allowed_) return true;
-  // Of the halves of a curve that turns, one chord does at least. If none does, rounding hides it,
-  // and halving on will not help, unless the curve goes around close sites between its ends.
+  // If a curve turns, so does the chord of at least one of its halves. If none does, rounding hides
+  // the turn, and halving will not help, unless the curve goes around close sites between its ends.
   if (!turns(curve.p0, curve.p2))
     return (sagitta > finest_ && bends(curve)) || turns(first.p0, first.p2) ||
            turns(second.p0, second.p2);
@@ -84,7 +84,7 @@ bool ChordFinder::isHalved(const Conic& curve, const Conic& first, const Conic& 
           (entersDisc(curve.p0, curve.p2) || border_.isNear(curve, fromSegment, toSegment)));
 }
 
-/// Is more than the share of the height needed over a chord, towards a site?
+/// Is the sagitta more than the allowed share of the height over the chord, towards a site?
 bool ChordFinder::isLarge(double sagitta, const Conic& curve, Point site, std::uint32_t fromSegment,
                           std::uint32_t toSegment) const {
   const Point way = curve.p2 - curve.p0, from = middle(curve.p0, curve.p2);

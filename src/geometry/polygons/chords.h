@@ -1,7 +1,7 @@
 // The chords that stand for a Voronoi edge in polygons: chosen once, for the cells on both sides.
 //
-// Polygons are true to each other, whatever the tolerance: neighbours have all points of their edge
-// in common, no two chords cross, and the polygons tile what the cells tile. For that each chord
+// Polygons fit each other, whatever the tolerance: neighbours have all points of their edge in
+// common, no two chords cross, and the polygons tile what the cells tile. For that each chord
 //
 //   - spans less than a quarter turn seen from both sites, counter-clockwise about the one on its
 //     left. A cell is star-shaped about its site's centre, so its chords then lie around that one
@@ -10,14 +10,14 @@
 //   - lies on the same side of the window's border as its curve: the triangle of the curve's ends
 //     and its control point, which holds both, has nothing of the border in it.
 //
-// By default a chord is also close to its curve for the cells on both sides: it is off by a share
-// only of the height of a triangle over the chord that is in the cell. A triangle to the site's
-// centre is, as a cell is star-shaped, but for the window: so it is made lower until nothing of the
-// border is in it. Then what all chords of a cell are off is a share of the cell's area, whatever
-// its size and the window's shape.
+// By default a chord is also close to its curve for the cells on both sides: it is off by at most a
+// share of the height of a triangle over the chord that is in the cell. The triangle to the site's
+// centre is in the cell, which is star-shaped, except for the window: so it is made lower until no
+// part of the border is in it. Then the area between all chords of a cell and their curves is a
+// share of the cell's area, whatever its size and the window's shape.
 //
-// A piece of an edge is halved until its chord is like that and within the tolerance. What rounding
-// has put out of order, where points are as close as doubles, is left out, for both sides as well.
+// A piece of an edge is halved until its chord is like that and within the tolerance. Points that
+// rounding has put out of order, where they are as close as doubles, are left out for both sides.
 #pragma once
 
 #include <cstdint>
@@ -35,10 +35,10 @@ namespace apollonius::internal {
 struct EdgePiece {
   Conic curve;
   Point left, right;  ///< the centres of the sites on its sides
-  std::uint32_t fromSegment = kNoSegment, toSegment = kNoSegment;  ///< of the polygon
-  /// Negative if the cell on the right has the same chords. Otherwise they keep to the border as
-  /// closely as to the curve, and do not go into the disc of this radius about the centre on the
-  /// right, out of which the curve comes at most.
+  std::uint32_t fromSegment = kNoSegment, toSegment = kNoSegment;  ///< polygon segments at its ends
+  /// Negative if the cell on the right has the same chords. Otherwise the chords keep to the border
+  /// as closely as to the curve, and do not enter the disc of this radius about the centre on the
+  /// right, which the curve does not enter either.
   double avoided = -1;
 };
 
@@ -47,10 +47,10 @@ class ChordFinder {
   /// REQUIRES: `border` lives as long.
   ChordFinder(const Border& border, Tolerance tolerance) : border_(border), tolerance_(tolerance) {}
 
-  /// The points of a piece, both ends included. Valid until the next call. The same for both sides
-  /// only if both give the piece in the same direction.
+  /// The points of a piece, both ends included. Valid until the next call. Both sides get the same
+  /// points only if both give the piece in the same direction.
   [[nodiscard]] std::span<const Point> find(const EdgePiece& piece);
-  /// Was some inner point of that piece on the border, or moved there? (Border::moveInside)
+  /// Was an inner point of that piece on the border, or moved there (Border::moveInside)?
   [[nodiscard]] bool isAtBorder() const { return isAtBorder_; }
 
  private:

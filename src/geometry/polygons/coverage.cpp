@@ -9,11 +9,12 @@ namespace apollonius::internal {
 
 namespace {
 
-/// Sums of areas are off by less than this share of the box around the window: a cross product is
-/// off by four roundings of the box that its ring fills, and a ring is shorter than 2^10 boxes.
+/// The error of a sum of areas is less than this share of the box around the window: the error of a
+/// cross product is four roundings of the box that its ring fills, and a ring is shorter than 2^10
+/// boxes.
 constexpr double kAreaRounding = powerOfTwo(-40);
 
-/// Of all rings, those of holes negative.
+/// Total area of all rings, with holes negative.
 double areaOf(const Rings& rings) {
   Sum twice;
   for (std::size_t k = 0; k < rings.ringCount(); ++k) {

@@ -1,11 +1,11 @@
-// The polygons of all cells, which tile the window: each segment stands once, and its reverse once
-// in the cell beside it or the segment lies on the border; and no two segments cross or touch but
-// in common ends.
+// The polygons of all cells, which tile the window: each segment occurs once, and its reverse once
+// in the cell beside it, unless the segment is on the border; and no two segments cross or touch
+// except in common ends.
 //
-// The first is so because edges are approximated once (chords.h), the second but for rounding. So
-// it is proved (tiling_proof.h), or what meets is mended until nothing does (mesh.h).
+// The first holds because each edge is approximated once (chords.h), the second up to rounding. So
+// the second is proved (tiling_proof.h), or segments that meet are mended until none do (mesh.h).
 //
-// What has come of it is checked: the areas of all rings add up to the window's.
+// The result is checked: the areas of all rings add up to the window's.
 #pragma once
 
 #include "geometry/polygons/cell_list.h"
@@ -14,20 +14,20 @@
 namespace apollonius::internal {
 
 struct Coverage {
-  Rings rings;                     ///< of all cells, one after the other
-  FlatArray<SiteId> sites;         ///< that have a polygon, ascending
-  FlatArray<std::uint32_t> cells;  ///< of each its first part; and the number of parts
-  std::size_t work = 0;            ///< segments that were looked at, and pairs
+  Rings rings;                     ///< those of all cells, one after the other
+  FlatArray<SiteId> sites;         ///< those with a polygon, ascending
+  FlatArray<std::uint32_t> cells;  ///< the first part of each cell, and the number of parts
+  std::size_t work = 0;            ///< number of segments and pairs examined
 };
 
-/// Cells of a list, raw rings traced. Replaces the contents.
+/// Assembles the cells of a list, with their raw rings traced. Replaces the contents.
 void assemble(const CellList& list, Coverage& coverage);
 
-/// Replaces the contents. `finder` finds thin parts, too (Parts::kThinToo), and `box` holds the
-/// window. Are the areas of the rings together `area`, up to rounding (NaN: that of the cells' own
-/// rings, as cells do not fill the window), and do no segments meet? If not, the code has a defect.
-/// Cost: O(points) where the proof holds, as it does but for rounding; else also what Mesh::mend()
-/// says.
+/// Finds the polygons of all cells and replaces the contents. REQUIRES: `finder` finds thin parts,
+/// too (Parts::kThinToo), and `box` holds the window. True if the areas of the rings add up to
+/// `area`, up to rounding (NaN: to that of the cells' own rings, as cells do not fill the window),
+/// and no segments meet. If false, the code has a defect. Cost: O(points) where the proof holds, as
+/// it does unless rounding prevents it; else also what Mesh::mend() says.
 [[nodiscard]] bool coverWindow(const DiagramCore& core, PolygonFinder& finder, const Rectangle& box,
                                double area, Coverage& coverage);
 

@@ -15,12 +15,12 @@ namespace apollonius::internal {
 
 namespace {
 
-/// Sites in general position need one or two rounds. Where thousands of edges come to one place
-/// (sites on a circle), they are closer together than doubles can tell on a way longer than
+/// Sites in general position need one or two rounds. Where thousands of edges meet at one point
+/// (sites on a circle), they are closer together than doubles can tell, over a length beyond
 /// rounding; detours only make more of them. So in each round from this one on, points four times
 /// as far apart become one.
 constexpr int kFirstWideRound = 4;
-/// By then whatever meets would have become one point many rounds ago.
+/// By then any segments that meet would have become one point many rounds before.
 constexpr int kMostRounds = 64;
 
 }  // namespace
@@ -66,7 +66,7 @@ bool Mesh::mend() {
   return false;
 }
 
-/// Lists each segment once: in one direction where two cells have it, as it is on the border.
+/// Lists each segment once: interior ones in one direction, border ones as they stand.
 void Mesh::listSegments() {
   segments_.clear();
   for (const CellList::Cell& cell : raw_.cells) {
@@ -93,7 +93,7 @@ void Mesh::mendMeetings() {
   });
 }
 
-/// Unites those that are so close; of two or four points.
+/// Unites those of two or four points that are close enough. True if there are any.
 bool Mesh::uniteClose(std::span<const std::uint32_t> points) {
   bool isAny = false;
   for (std::size_t k = 0; k < points.size(); ++k) {
@@ -107,8 +107,8 @@ bool Mesh::uniteClose(std::span<const std::uint32_t> points) {
   return isAny;
 }
 
-/// Of two segments that meet: unites the two ends that are closest, if they are apart by rounding;
-/// or sends one segment through the end of the other that is closest to it.
+/// Mends two segments that meet: merges their two closest ends, if rounding explains the distance;
+/// or leads one segment through the end of the other that is closest to it.
 void Mesh::mend(const Segment& s, const Segment& t) {
   if (closeness_ > 1 && uniteClose(std::array{s.from, s.to, t.from, t.to})) return;
   std::pair<std::uint32_t, std::uint32_t> closest{s.from, t.from};
@@ -143,7 +143,7 @@ void Mesh::mend(const Segment& s, const Segment& t) {
   detours_.push_back({passing->from, passing->to, through});
 }
 
-/// Of a cell that rounding has turned around, unites the two points that are closest.
+/// Merges the two closest points of a cell that rounding has turned inside out.
 void Mesh::uniteTurned() {
   for (const CellList::Cell& cell : raw_.cells) {
     const Ring& ring = rings_[raw_.firstRing(cell)];  // the others are at the border
@@ -170,7 +170,7 @@ std::uint32_t Mesh::representative(std::uint32_t point) {
   return point;
 }
 
-/// A point of the border is kept; of others, the left one.
+/// Merges two points: into the one on the border, or else into the left one.
 void Mesh::unite(std::uint32_t a, std::uint32_t b) {
   a = representative(a);
   b = representative(b);
@@ -223,7 +223,7 @@ void Mesh::replacePoints() {
   corners_.swap(corners);
 }
 
-/// Each ring as a part.
+/// Writes each ring to raw_ as a part.
 void Mesh::write() {
   Rings mended;
   for (CellList::Cell& cell : raw_.cells) {

@@ -1,10 +1,10 @@
 // Mends rings that rounding has put out of order: a point that is off by its last place can lie
-// beyond a segment that it should be next to. All points get numbers, shared by the rings. Where
-// two segments meet, by exact signs for all pairs that may (segment_pairs.h), their ends that are
-// as close as rounding become one point, in all cells; or the segment that passes a point is led
-// through it. This is repeated until nothing meets. If it takes more than a few rounds, points
-// farther apart are united in each further round, in the end any points of what meets. The number
-// of rounds is limited.
+// beyond a segment that it should be next to. All points get numbers, shared by the rings. Exact
+// signs tell which segments meet, of all pairs that may (segment_pairs.h). Where two meet, ends as
+// close as rounding become one point, in all cells; or the segment that passes a point is led
+// through it. This is repeated until no segments meet. If it takes more than a few rounds, points
+// farther apart are united in each further round, in the end any ends of segments that meet. The
+// number of rounds is limited.
 #pragma once
 
 #include <cstdint>
@@ -19,15 +19,15 @@
 
 namespace apollonius::internal {
 
-/// How far rounding can move points of edges in a window within this box: a point at such a
-/// distance from the farthest of the sites whose cells meet there (docs/PROOFS.md, "Polygons").
+/// How far rounding can move points of edges in a window within this box. Depends on the distance
+/// of a point from the farthest of the sites whose cells meet there (docs/PROOFS.md, "Polygons").
 class PointRounding {
  public:
   explicit PointRounding(const Rectangle& box);
   [[nodiscard]] double at(double fromSite) const { return powerOfTwo(-38) * (size_ + fromSite); }
 
  private:
-  double size_;  // of the window's numbers
+  double size_;  // the size of the window's coordinates
 };
 
 class Mesh {
@@ -35,20 +35,20 @@ class Mesh {
   /// REQUIRES: `box` holds the window. All live as long.
   Mesh(const DiagramCore& core, const Rectangle& box, CellList& raw);
 
-  /// Mends the rings until no two segments meet; false, and rings that are not changed, if that is
-  /// not reached. Cost: O(n log n) for n segments, or the pairs of those that are near each other
-  /// if these are fewer; as often again as rounding has to be undone.
+  /// Mends the rings until no two segments meet; if that is not reached, returns false and leaves
+  /// the rings unchanged. Cost per round: O(n log n) for n segments, or the number of pairs near
+  /// each other if there are fewer; rounds go on while rounding has to be undone.
   [[nodiscard]] bool mend();
-  /// How many times as far apart as rounding explains points have been that became one, at most.
+  /// Limit of the distance of points that became one, in units of what rounding explains.
   [[nodiscard]] double closeness() const { return closeness_; }
-  /// How many segments were looked at, in all rounds, and pairs.
+  /// Number of segments and pairs examined, in all rounds.
   [[nodiscard]] std::size_t work() const { return work_; }
 
  private:
   struct Ring {
-    std::uint32_t first, count;  // of corners_
+    std::uint32_t first, count;  // range in corners_
   };
-  /// A segment goes through a point.
+  /// A segment that is to be led through a point.
   struct Detour {
     std::uint32_t from, to, through;
   };
@@ -78,14 +78,14 @@ class Mesh {
   PointRounding rounding_;
   CellList& raw_;
   PointNumbers numbers_;
-  FlatArray<double> fromSites_;       // by point: the largest distance from a site it is seen from
+  FlatArray<double> fromSites_;       // by point: the largest distance from a site of its cells
   FlatArray<char> isOnBorder_;        // by point
   FlatArray<std::uint32_t> corners_;  // points of the rings, not repeated at their ends
-  FlatArray<Ring> rings_;             // as raw_ has them
+  FlatArray<Ring> rings_;             // in the order of raw_
   FlatArray<Segment> segments_;       // each once
-  FlatArray<std::uint32_t> united_;   // by point: itself or one that it became, in this round
+  FlatArray<std::uint32_t> united_;   // by point: itself, or one that it became in this round
   double closeness_ = 1;
-  bool isUnited_ = false;  // any in this round
+  bool isUnited_ = false;  // have any points become one in this round?
   FlatArray<Detour> detours_;
   std::size_t work_ = 0;
 };

@@ -1,4 +1,4 @@
-// Numbers for points, the same for equal ones.
+// Numbers for points: equal points have the same number.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,8 @@ namespace apollonius::internal {
 
 class PointNumbers {
  public:
-  /// The number of a point; of a new one, how many there have been. Expected O(1).
+  /// Returns the number of a point; numbers are given in the order of addition, from 0 on. Expected
+  /// cost: O(1).
   std::uint32_t add(Point p);
   [[nodiscard]] const FlatArray<Point>& points() const { return points_; }
   /// Cost: O(1) for each of the points.
@@ -21,7 +22,7 @@ class PointNumbers {
   [[nodiscard]] std::size_t entryOf(Point p) const;
 
   FlatArray<Point> points_;
-  FlatArray<std::uint32_t> table_;  // open addressing: numbers, or kNone
+  FlatArray<std::uint32_t> table_;  // hash table, open addressing: numbers, or kNone
 };
 
 }  // namespace apollonius::internal

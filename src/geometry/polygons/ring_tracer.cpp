@@ -29,7 +29,7 @@ void Tracer::addRing(std::span<const double> ring) {
   }
 }
 
-/// By their starts.
+/// Sorts the segments by their starts.
 void Tracer::sortSegments() {
   firstFrom_.assign(numbers_.points().size() + 1, 0);
   for (const Segment& s : segments_) ++firstFrom_[s.from];
@@ -41,7 +41,7 @@ void Tracer::sortSegments() {
   segments_.swap(sorted);
 }
 
-/// Takes away what goes along a segment and back.
+/// Removes pairs of a segment and its reverse.
 void Tracer::cancel() {
   sortSegments();
   for (Segment& s : segments_) {
@@ -55,7 +55,7 @@ void Tracer::cancel() {
   }
 }
 
-/// The segment that goes on where this one ends.
+/// The segment that continues where this one ends.
 std::uint32_t Tracer::next(std::uint32_t segment) const {
   const Segment& s = segments_[segment];
   std::uint32_t best = kNotOnWay;
@@ -68,7 +68,7 @@ std::uint32_t Tracer::next(std::uint32_t segment) const {
   return best;
 }
 
-/// Ends a loop where the way comes to a point that it has been at.
+/// Ends a loop where the way comes to a point again.
 void Tracer::cut(std::uint32_t point) {
   const std::uint32_t begin = indexOnWay_[point];
   Loop loop{static_cast<std::uint32_t>(traced_.size()),
@@ -109,7 +109,7 @@ void Tracer::link() {
       indexOnWay_[from] = static_cast<std::uint32_t>(way_.size());
       way_.push_back(from);
     }
-    // Back where it began: at each point as many segments end as start.
+    // The way ends where it began: at each point as many segments end as start.
     if (!way_.empty()) cut(way_[0]);
   }
 }
@@ -120,7 +120,7 @@ bool Tracer::isCrossed(std::uint32_t loop, std::size_t k, Point p) {
   return (a.y > p.y) != (b.y > p.y) && (orient2d(a, b, p) == Sign::kPositive) == (b.y > a.y);
 }
 
-/// Is the first point of the hole inside that is not on the loop?
+/// Is the first point of the hole that is no corner of the loop inside the loop?
 bool Tracer::isAround(std::uint32_t loop) {
   for (const Point p : ringOf(loops_[hole_])) {
     isCorner_ = false;

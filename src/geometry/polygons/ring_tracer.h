@@ -1,10 +1,10 @@
 // From the segments around a cell to its polygons, in the sense of OGC's Simple Features and RFC
-// 7946: rings that come to no point twice, each outer one with its holes.
+// 7946: rings that pass no point twice, each outer one with its holes.
 //
-// Segments are linked so that nothing but the inside is between one and the next. What is linked is
-// cut where it comes to a point again: a hole that touches the ring around it in one point is a
-// ring of its own then; where it touches in two, the ring falls into two. What goes along a segment
-// and back goes.
+// Segments are linked so that only the inside is between one and the next. The way is cut where it
+// comes to a point again: so a hole that touches the ring around it in one point becomes a ring of
+// its own; where it touches in two, the outer ring falls into two. A segment and its reverse cancel
+// each other.
 #pragma once
 
 #include "geometry/polygons/point_numbers.h"
@@ -21,8 +21,8 @@ class Tracer final : private NestedRings {
   void addRing(std::span<const double> ring);
   /// Does any point occur twice?
   [[nodiscard]] bool hasTouch() const { return numbers_.points().size() < segments_.size(); }
-  /// The polygons of all that has been added, without loops that are thinner than this. Replaces
-  /// the contents. Cost: O(m log m) for m points; and for holes what ring_nesting.h says.
+  /// Finds the polygons of all rings added, without loops thinner than `thinnest`. Replaces the
+  /// contents. Cost: O(m log m) for m points; and for holes what ring_nesting.h says.
   void trace(Rings& rings, double thinnest = 0);
 
  private:
@@ -58,13 +58,13 @@ class Tracer final : private NestedRings {
 
   PointNumbers numbers_;
   FlatArray<Segment> segments_;
-  FlatArray<std::uint32_t> firstFrom_;  // by point, of segments_ by their starts; and their number
+  FlatArray<std::uint32_t> firstFrom_;  // by point: its first segment; and the number of segments
   FlatArray<std::uint32_t> way_, indexOnWay_;
   FlatArray<Point> traced_;  // the loops' points
   FlatArray<Loop> loops_;
-  RingNesting nesting_{*this};  // of the loops that are no holes
-  std::uint32_t hole_ = 0;      // whose loop is searched
-  bool isCorner_ = false;       // of the loop that was asked
+  RingNesting nesting_{*this};  // the loops that are no holes
+  std::uint32_t hole_ = 0;      // the hole whose outer loop is searched
+  bool isCorner_ = false;       // is the point that was tested a corner of the loop?
   double width_ = 0;            // thinner loops are dropped
 };
 

@@ -1,4 +1,4 @@
-// The rings of a cell as polygons have them.
+// The rings of polygons.
 #pragma once
 
 #include <cstdint>
@@ -12,12 +12,12 @@ namespace apollonius::internal {
 /// The points of a ring, each once.
 class Corners {
  public:
-  /// Of coordinates with the first point again at the end.
+  /// Takes coordinates with the first point again at the end.
   explicit Corners(std::span<const double> ring) : ring_(ring) {}
   [[nodiscard]] std::uint32_t size() const {
     return static_cast<std::uint32_t>(ring_.size() / 2 - 1);
   }
-  /// At size() the first one again.
+  /// Corner k; at size() the first one again.
   [[nodiscard]] Point operator[](std::size_t k) const { return {ring_[2 * k], ring_[2 * k + 1]}; }
 
  private:
@@ -26,9 +26,9 @@ class Corners {
 
 struct Rings {
   FlatArray<double> coordinates;       ///< x, y, … of all rings, the first point again at the end
-  FlatArray<std::uint32_t> starts{0};  ///< of each ring its first point; and the number of points
-  /// Of each part of the cell its outer ring, counter-clockwise, which those of its holes follow;
-  /// and the number of rings.
+  FlatArray<std::uint32_t> starts{0};  ///< the first point of each ring, and the number of points
+  /// The outer ring of each part of the cell, and the number of rings. An outer ring runs
+  /// counter-clockwise, and those of its holes follow it.
   FlatArray<std::uint32_t> parts{0};
 
   void clear() {
@@ -47,11 +47,11 @@ struct Rings {
     coordinates.push_back(p.x);
     coordinates.push_back(p.y);
   }
-  /// Parts of another, from `first` to before `end`.
+  /// Adds the parts of `other` from `first` to before `end`.
   void append(const Rings& other, std::size_t first, std::size_t end);
-  /// The points since the last ring are one.
+  /// Makes a ring of the points since the last one.
   void endRing() { starts.push_back(static_cast<std::uint32_t>(coordinates.size() / 2)); }
-  /// The rings since the last part are one.
+  /// Makes a part of the rings since the last one.
   void endPart() { parts.push_back(static_cast<std::uint32_t>(ringCount())); }
 };
 

@@ -24,7 +24,7 @@ std::uint64_t hashOf(Point a, Point b) {
   return hash;
 }
 
-/// Of a segment; that of its reverse is the negative.
+/// Hash of a directed segment; that of its reverse is the negative.
 std::uint64_t directedHash(Point from, Point to) {
   return isLeftOf(from, to) ? hashOf(from, to) : 0 - hashOf(to, from);
 }
@@ -44,7 +44,7 @@ bool isAround(const Corners& ring, Point center) {
   return turnsOnce(ring, center);
 }
 
-/// Of a simple ring.
+/// REQUIRES: the ring is simple.
 bool isCounterClockwise(const Corners& ring) {
   std::uint32_t first = 0;
   for (std::uint32_t k = 1; k < ring.size(); ++k) {
@@ -91,7 +91,7 @@ bool TilingProof::holds() {
     const Point center{core_.site(cell.slot).x, core_.site(cell.slot).y};
     for (std::uint32_t ring = raw_.firstRing(cell); ring < raw_.endRing(cell); ++ring) {
       const Corners corners = raw_.rings.corners(ring);
-      // Of a ring that is not traced each step is known to turn to the left.
+      // A ring that is not traced is known to turn to the left at each step.
       if (cell.isTraced ? !isAround(corners, center) && !isSimple(corners)
                         : !turnsOnce(corners, center))
         return false;

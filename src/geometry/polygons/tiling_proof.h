@@ -39,7 +39,7 @@ class TilingProof {
   const DiagramCore& core_;
   Rectangle box_;
   const CellList& raw_;
-  // Of the border; then of one ring.
+  // Those of the border at first, then those of one ring.
   PointNumbers numbers_;
   FlatArray<Segment> segments_;
   double borderRounding_ = 0;

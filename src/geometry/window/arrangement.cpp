@@ -10,12 +10,12 @@ namespace apollonius::internal {
 
 namespace {
 
-/// Rounds of splitting in which nothing is moved. Most end with these, as more is only to do where
-/// crossings were rounded; what goes on after them is put on a grid.
+/// Rounds of splitting in which nothing is moved. Most polygons are done with these, as more is
+/// left to do only where crossings were rounded; after them, all points are rounded to a grid.
 constexpr int kFreeRounds = 2;
-/// On the grid, the widths and the heights of a segment's parts add up to its own, so that nothing
-/// is split for ever; but for crossings that are rounded to a place beside the nearest one. Should
-/// these not end, the region is refused.
+/// On the grid, the widths and the heights of a segment's parts add up to its own, so that
+/// splitting ends, except for crossings that are rounded to a grid point beside the nearest one.
+/// Should it not end for these, the region is refused.
 constexpr int kMostRounds = 24;
 
 }  // namespace
@@ -32,7 +32,8 @@ bool Arrangement::split() {
   return true;
 }
 
-/// Gives equal points one number, points all segments in one direction, and lets equal ones cancel.
+/// Gives equal points one number, directs all segments from left to right, and cancels equal ones
+/// in pairs.
 void Arrangement::unify() {
   FlatArray<std::uint32_t> numbers(points_.size());
   FlatArray<Point> distinct;
@@ -42,7 +43,8 @@ void Arrangement::unify() {
   }
   points_.swap(distinct);
 
-  // By both ends: stable sorts, the less important end first. Numbers ascend with the points.
+  // Sorts by both ends: two stable sorts, by the less important end first. Numbers ascend with the
+  // points.
   FlatArray<Keyed> byEnd;
   for (std::uint32_t k = 0; k < segments_.size(); ++k) {
     const std::uint32_t a = numbers[segments_[k].from], b = numbers[segments_[k].to];
@@ -64,8 +66,8 @@ void Arrangement::unify() {
   segments_.swap(kept);
 }
 
-/// Rounds all points to a grid of some 2^49 by 2^49, or of neighbouring doubles if these are
-/// farther apart.
+/// Rounds all points to a grid of about 2^49 by 2^49 points, or of neighbouring doubles if these
+/// are farther apart.
 void Arrangement::snap() {
   const auto unitOf = [](double low, double high) {
     const double most = std::max(absolute(low), absolute(high));
@@ -75,18 +77,19 @@ void Arrangement::snap() {
   for (Point& p : points_) p = rounded(p);
 }
 
-/// Where the end of one segment is on another, as long as there are such places: that is exact, and
-/// what overlaps cancels before it is cut at crossings, whose roundings differ. Then at these.
+/// Finds the points where the end of one segment is on another; if there are none, the crossings.
+/// The former are exact. So segments that overlap cancel before they are cut at crossings, whose
+/// roundings differ.
 bool Arrangement::findCuts() {
   cuts_.clear();
   FlatArray<Cut> crossings;
   const std::size_t count = points_.size();
-  // On a grid of points, segments can have cuts that do not meet: then all pairs are visited.
+  // With points on a grid, segments that do not meet can have cuts: then all pairs are visited.
   SegmentPairs pairs(points_, segments_, box_,
                      unit_.x == 0 ? fewLooks_ : std::numeric_limits<double>::infinity());
   pairs.visit([&](std::uint32_t k, std::uint32_t m) { cutBoth(k, m, crossings); });
   looks_ += pairs.looks();
-  // With points on a grid ends are moved, too.
+  // With points on a grid, cuts at ends are rounded, too.
   areRounded_ = cuts_.empty() || unit_.x != 0;
   if (areRounded_) {
     cuts_.append({crossings.data(), crossings.size()});
@@ -97,7 +100,8 @@ bool Arrangement::findCuts() {
 }
 
 /// Does a segment go through a point that is not its end; or, with points on a grid, through the
-/// rectangle of all that would be rounded to it (with its lower side, without its upper one)?
+/// rectangle of all points that would be rounded to it (including its lower side, not its upper
+/// one)?
 /// Snap rounding: segments that are bent into the middles of all such rectangles that they go
 /// through do not cross (Hobby, Practical segment intersection with finite precision output, 1999).
 bool Arrangement::passes(const Segment& s, std::uint32_t point) const {
@@ -106,7 +110,7 @@ bool Arrangement::passes(const Segment& s, std::uint32_t point) const {
       p.y > std::max(a.y, b.y))
     return false;
   if (unit_.x == 0) return orient2d(a, b, p) == Sign::kZero;
-  // Of its corners those farthest to either side.
+  // The rectangle's corners that are farthest to either side of the segment.
   const Point way = 0.5 * Point{rises(s) ? -unit_.x : unit_.x, unit_.y};
   return orient2d(a, b, p + way) == Sign::kPositive && orient2d(a, b, p - way) != Sign::kPositive;
 }
@@ -121,11 +125,11 @@ bool Arrangement::cutAt(std::uint32_t segment, std::uint32_t point) {
 Point Arrangement::crossingOf(const Segment& s, const Segment& t) const {
   const Point a = from(s), b = to(s), c = from(t), d = to(t);
   const Point way = b - a, other = d - c;
-  // Where rounding takes them for parallel, they are as close together at any place they share.
+  // If they are parallel by rounding, they are equally close at any point that they share.
   const double turn = cross(way, other);
   const double along = turn != 0 ? cross(c - a, other) / turn : dot(c - a, way) / dot(way, way);
   const Point p = rounded(a + along * way);
-  // Where rounding leaves the box that both share, it goes back there.
+  // Keeps the point in the box that both share, which rounding may have left.
   return {std::clamp(p.x, std::max(a.x, c.x), std::min(b.x, d.x)),
           std::clamp(p.y, std::max(std::min(a.y, b.y), std::min(c.y, d.y)),
                      std::min(std::max(a.y, b.y), std::max(c.y, d.y)))};
@@ -135,7 +139,7 @@ Point Arrangement::crossingOf(const Segment& s, const Segment& t) const {
 void Arrangement::cutBoth(std::uint32_t k, std::uint32_t m, FlatArray<Cut>& crossings) {
   const Segment s = segments_[k], t = segments_[m];
   const Point a = from(s), b = to(s), c = from(t), d = to(t);
-  // It begins no further right: unify() has sorted them.
+  // t begins no further right than s: unify() has sorted them.
   if (a.x > d.x || std::min(c.y, d.y) > std::max(a.y, b.y) ||
       std::min(a.y, b.y) > std::max(c.y, d.y))
     return;
@@ -152,7 +156,7 @@ void Arrangement::cutBoth(std::uint32_t k, std::uint32_t m, FlatArray<Cut>& cros
 }
 
 void Arrangement::cut() {
-  // From left to right, by two stable sorts.
+  // Sorts by segment, then from left to right, by two stable sorts.
   FlatArray<std::uint32_t> rankOf(points_.size());
   std::uint32_t rank = 0;
   for (const std::uint32_t point : orderedFromLeft(points_)) rankOf[point] = rank++;
@@ -163,7 +167,7 @@ void Arrangement::cut() {
   sortByKey(order);
   FlatArray<Cut> cuts;
   for (const Keyed& entry : order) cuts.push_back(cuts_[entry.value]);
-  // Where a segment falls, points above each other come from above.
+  // On a segment that falls, points above each other are taken from above.
   const auto isAfter = [&](const Cut& a, const Cut& b) {
     return a.segment != b.segment || points_[a.point].x != points_[b.point].x;
   };
@@ -193,8 +197,8 @@ void Arrangement::listEnds() {
 }
 
 /// Is the side below a segment inside, a little to the right of its left end? Below it are others
-/// that start there, each of which has the inside on one side; and below these the nearest segment
-/// that begins further left: it has been asked before, as segments are asked from left to right.
+/// that start there, each with the inside on one side; and below these the nearest segment that
+/// begins further left. That one is done already, as segments are taken from left to right.
 bool Arrangement::isInsideBelow(std::uint32_t segment, std::span<const std::uint32_t> below,
                                 std::span<const char> turns) const {
   bool isOdd = false;
@@ -205,8 +209,8 @@ bool Arrangement::isInsideBelow(std::uint32_t segment, std::span<const std::uint
   return isInsideAbove != isOdd;
 }
 
-/// Turns each segment so that the inside is on its left. Along a chain, where two segments meet and
-/// no more, one is asked.
+/// Turns each segment so that the inside is on its left. In a chain, where just two segments meet
+/// at each point, isInsideBelow() is evaluated for one of them.
 void Arrangement::orient() {
   listEnds();
   SegmentSweep sweep(points_, segments_);
@@ -239,8 +243,8 @@ void Arrangement::orient() {
   }
 }
 
-/// The segment that goes on where this one ends: of those that start there, the first one clockwise
-/// from where this one comes from, as what is between them is inside.
+/// The segment that continues where this one ends: of those that start there, the first one
+/// clockwise from this one, as the inside is between them.
 std::uint32_t Arrangement::next(std::uint32_t segment) const {
   const Point at = to(segments_[segment]), back = from(segments_[segment]);
   std::uint32_t best = kNoneBelow;

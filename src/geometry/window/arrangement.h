@@ -1,5 +1,5 @@
-// The segments of all rings of a polygon, split where they meet; polygon.h says by which steps they
-// become rings that do not cross.
+// The segments of all rings of a polygon, split where they meet; polygon.h lists the steps by which
+// they become rings that do not cross.
 #pragma once
 
 #include <cstdint>
@@ -15,11 +15,11 @@ namespace apollonius::internal {
 
 class Arrangement {
  public:
-  /// `fewLooks` as of SegmentPairs.
+  /// `fewLooks` is that of SegmentPairs.
   explicit Arrangement(const Rectangle& box, double fewLooks = SegmentPairs::kFewLooks)
       : box_(box), fewLooks_(fewLooks) {}
 
-  /// Closed by itself.
+  /// Adds a ring; its last point is joined to its first.
   void addRing(std::span<const double> coordinates) {
     const auto first = static_cast<std::uint32_t>(points_.size());
     for (std::size_t k = 0; k + 1 < coordinates.size(); k += 2) {
@@ -34,10 +34,10 @@ class Arrangement {
   [[nodiscard]] bool split();
   /// Step 3. REQUIRES: split().
   void orient();
-  /// Step 4: the rings, into an empty polygon. REQUIRES: orient().
+  /// Step 4: writes the rings to an empty polygon. REQUIRES: orient().
   void link(NormalizedPolygon& polygon);
 
-  /// How many pairs of segments have been looked at.
+  /// Number of pairs of segments examined.
   [[nodiscard]] std::size_t looks() const { return looks_; }
 
  private:
@@ -48,8 +48,7 @@ class Arrangement {
 
   [[nodiscard]] Point from(const Segment& s) const { return points_[s.from]; }
   [[nodiscard]] Point to(const Segment& s) const { return points_[s.to]; }
-  /// On the grid, if there is one: to add what is so much larger leaves no digits for parts of a
-  /// unit.
+  /// Rounds a point to the grid, if there is one: adding 3·2^51 units drops the fraction.
   [[nodiscard]] Point rounded(Point p) const {
     const Point big = 3 * powerOfTwo(51) * unit_;
     return p + big - big;
@@ -65,7 +64,7 @@ class Arrangement {
   [[nodiscard]] Point crossingOf(const Segment& s, const Segment& t) const;
   void cut();
   void listEnds();
-  /// The other segments that have an end in common with this one's end are these, itself included.
+  /// The segments that have an end at a point.
   [[nodiscard]] std::span<const Keyed> endsAt(std::uint32_t point) const {
     return std::span(ends_).subspan(firstEnd_[point], firstEnd_[point + 1] - firstEnd_[point]);
   }
@@ -76,13 +75,13 @@ class Arrangement {
   Rectangle box_;
   double fewLooks_;
   std::size_t looks_ = 0;
-  bool areRounded_ = false;  // of the last cuts: are they crossings?
-  Point unit_;               // of the grid that all points are on; 0: of none
+  bool areRounded_ = false;  // are the last cuts crossings, which are rounded?
+  Point unit_;               // unit of the grid that all points are on; 0: no grid
   FlatArray<Point> points_;
   FlatArray<Segment> segments_;  // after unify(): from comes before to, until orient()
   FlatArray<Cut> cuts_;
   FlatArray<Keyed> ends_;              // segments by their ends
-  FlatArray<std::uint32_t> firstEnd_;  // by point, of ends_; and their number
+  FlatArray<std::uint32_t> firstEnd_;  // by point: its first entry in ends_; and their number
 };
 
 }  // namespace apollonius::internal

@@ -22,7 +22,8 @@ struct Line {
         direction(unit(b - a)),
         normal(leftOf(direction)),
         length(internal::length(b - a)) {}
-  /// Of the segment, whatever rounding says.
+  /// A point of the segment at this distance from its start, within the segment's box whatever
+  /// rounding does.
   [[nodiscard]] Point pointAt(double place) const {
     if (place >= length) return to;
     const Point p = from + place * direction;
@@ -35,11 +36,11 @@ struct Line {
 
 /// A way out of a cell.
 struct Exit {
-  HalfedgeId halfedge = kNoHalfedge;  // of the cell
+  HalfedgeId halfedge = kNoHalfedge;  // the cell's
   HalfedgeId edge = kNoHalfedge;      // the one of the two at the reference site
   double e = 0;
-  double at = kInfinite;     // along the line
-  double score = kInfinite;  // the least is the next one
+  double at = kInfinite;     // distance along the line
+  double score = kInfinite;  // the exit with the least score is next
 };
 
 class BoundaryWalker {
@@ -52,7 +53,7 @@ class BoundaryWalker {
 
   [[nodiscard]] std::size_t asked() const { return neighbors_.asked(); }
 
-  /// Walks a ring; its only cell if it stays in one.
+  /// Walks a ring. Returns the slot of its only cell if it stays in one, else kNoSlot.
   Slot walk(std::span<const Point> ring, std::uint32_t number) {
     ring_ = number;
     const Point start = ring.front();
@@ -79,10 +80,10 @@ class BoundaryWalker {
   }
 
  private:
-  /// Where a ring begins.
+  /// The cell in which a ring begins.
   [[nodiscard]] VertexId cellOf(Point p) {
     if (cell_ == kNoVertex) return vertexOf(core_.nearest(p.x, p.y));
-    // Location may go around the whole cell, and would for each of many rings within it.
+    // Location may go around the whole cell, once for each of many rings within it.
     if (neighbors_.surelyHolds(cell_, p)) return cell_;
     return vertexOf(core_.nearest(p.x, p.y, slotOf(cell_)));
   }
@@ -111,8 +112,8 @@ class BoundaryWalker {
     reach_ = 0;
   }
 
-  /// Where the line leaves the cell next, if before the segment's end. If it does not, `reach_` is
-  /// how far from here the cell goes on at least.
+  /// Finds where the line leaves the cell next, if before the segment's end. If it does not,
+  /// `reach_` becomes a lower bound of the distance from here to the cell's border.
   Exit findExit(const Line& line) {
     const DelaunayGraph& delaunay = core_.delaunay();
     const Point here = line.point();
@@ -122,7 +123,7 @@ class BoundaryWalker {
     double gap = kInfinite;
     Exit best;
     for (const HalfedgeId h : candidates_) {
-      // On the way, the difference of the two distances falls by twice its length at most.
+      // Along the way, the difference of the two distances falls by at most twice the way's length.
       const Site& other = delaunay.site(graph_.target(h));
       const double rounding = place.roundingOf(other), more = place.extraOf(other, rounding);
       gap = std::min(gap, more);
@@ -137,8 +138,8 @@ class BoundaryWalker {
   }
 
   /// Is a neighbour nearer at the end of the way through the cell? Where the line and a bisector
-  /// touch up to rounding, there may be no place where they cross; if the line then goes on beyond
-  /// it, the cell ends where they are closest, or where the way begins.
+  /// touch up to rounding, there may be no crossing; if the line then continues beyond the
+  /// bisector, the cell ends where they are closest, or where the way begins.
   void findMissing(const Line& line, Exit& best) const {
     const DelaunayGraph& delaunay = core_.delaunay();
     const double end = std::min(best.at, line.length);
@@ -159,8 +160,8 @@ class BoundaryWalker {
     }
   }
 
-  /// Is a site nearer than another, by more than rounding? The difference of their distances is
-  /// taken from that of their squares, so that it is right for sites that are close together.
+  /// Is a site nearer than another, by more than rounding? The difference of the distances is
+  /// computed from that of their squares, so that it is accurate for sites that are close together.
   static bool isNearer(const Site& site, const Site& than, Point p) {
     const Point way{site.x - than.x, site.y - than.y};
     const Point a = p - Point{site.x, site.y}, b = p - Point{than.x, than.y};
@@ -172,7 +173,7 @@ class BoundaryWalker {
            powerOfTwo(-48) * (apart + absolute(weights)) + moved * std::min(2.0, 4 * apart / sum);
   }
 
-  /// The place of an edge that a point is at, and how far away that is.
+  /// The place on an edge for a point near it, and the distance from the point.
   struct EdgePlace {
     HalfedgeId edge;  // the one of the two at the reference site
     double e, away;
@@ -188,7 +189,7 @@ class BoundaryWalker {
     return {edge, clamped, length(whole.bisector.at(clamped) - p)};
   }
 
-  /// Has the edge been crossed where the walk is now?
+  /// Has the edge been crossed at the walk's current point?
   [[nodiscard]] bool isCrossed(HalfedgeId h) const {
     return std::any_of(crossed_.begin(), crossed_.end(),
                        [&](HalfedgeId edge) { return edge == h || edge == graph_.twin(h); });
@@ -202,7 +203,7 @@ class BoundaryWalker {
     if (bisector.isLine() && considerAlong(h, edge, bisector, line, best)) return;
     const LineForm form(bisector, line.normal, line.from);
     // Counter-clockwise about the reference site, the bisector comes from the right of the line
-    // where that leaves the site.
+    // where the line leaves the site's cell.
     const double e = isReference ? form.rise() : form.fall();
     const double back = isReference ? form.fall() : form.rise();
     if (!(e > 0)) return;
@@ -210,8 +211,8 @@ class BoundaryWalker {
     const double at = line.placeOf(crossing);
     if (!(at < line.length) || (at <= line.at && isCrossed(h))) return;
     if (isReference && back > 0) {
-      // The other cell is the convex side, so a line that leaves the reference site's for it comes
-      // back further on: if rounding says otherwise, the two touch.
+      // The other cell is on the convex side, so a line that leaves the reference site's cell for
+      // it comes back further on. If rounding puts that first, line and bisector touch.
       const double comesBack = line.placeOf(bisector.at(back));
       if (at >= comesBack || line.at >= at / 2 + comesBack / 2) return;
     }
@@ -225,19 +226,19 @@ class BoundaryWalker {
     if (isBehind && on.away > rounding) return;
     const double score = place + on.away;
     if (!(score < best.score) || !(on.e > 0 && on.e < kInfinite)) return;
-    // An edge that is further from there than the segment's end is left alone, unless the end is
-    // nearer to its other cell by more than rounding.
+    // An edge whose score is beyond the segment's end is ignored, unless the end is nearer to the
+    // other site by more than rounding.
     const Site &own = delaunay.site(cell_), &other = delaunay.site(graph_.target(h));
     if (score > line.length && !isNearer(other, own, line.to)) return;
     best = {h, edge, on.e, place, score};
   }
 
-  /// Does the segment run along a straight edge, as far as there are both? Then the cell on the
-  /// left is the one that it is in, as the inside is there.
+  /// Does the segment run along a straight edge, where both exist? Then it belongs to the cell on
+  /// its left, as the inside is there.
   bool considerAlong(HalfedgeId h, HalfedgeId edge, const Bisector& bisector, const Line& line,
                      Exit& best) const {
     if (absolute(dot(line.direction, bisector.axis())) > powerOfTwo(-20)) return false;
-    // A few of the last places of coordinates, if that is nothing beside the distance of the sites.
+    // A few last places of the coordinates, but at most a tiny share of the distance of the sites.
     const Point center = bisector.reference();
     const double half = bisector.distance() / 2;
     const double size =
@@ -264,15 +265,15 @@ class BoundaryWalker {
     return true;
   }
 
-  /// Goes to another cell in which, up to rounding, p is as well: over cells of which the same is
-  /// true, and edges on which it is. (Two cells can have several edges in common.)
+  /// Goes to another cell that also holds p up to rounding: over cells that hold p and edges that
+  /// pass p, up to rounding. (Two cells can have several edges in common.)
   void goTo(VertexId goal, Point p) {
     const DelaunayGraph& delaunay = core_.delaunay();
     const double distance = distanceOf(delaunay.site(goal), p);
     const double size = absolute(p.x) + absolute(p.y) + absolute(distance);
     struct Step {
       VertexId cell;
-      HalfedgeId halfedge;  // that leads here
+      HalfedgeId halfedge;  // the one that leads here
       std::uint32_t before;
     };
     FlatArray<Step> steps;
@@ -312,11 +313,11 @@ class BoundaryWalker {
   std::uint32_t ring_ = 0;
   std::uint32_t next_ = 0;  // the ring's next point
   VertexId cell_ = kNoVertex;
-  Point clearing_;  // within `reach_` of here is no other cell
+  Point clearing_;  // the cell holds all points within `reach_` of this one
   double reach_ = 0;
-  FlatArray<HalfedgeId> crossed_;  // at this place of the line
+  FlatArray<HalfedgeId> crossed_;  // edges crossed at the walk's current point
   NeighborSearch neighbors_;
-  FlatArray<HalfedgeId> candidates_;  // half-edges of the cell that the line can leave it for
+  FlatArray<HalfedgeId> candidates_;  // half-edges of the cell that the line may cross
 };
 
 }  // namespace

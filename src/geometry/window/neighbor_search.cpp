@@ -8,15 +8,15 @@ namespace apollonius::internal {
 
 namespace {
 
-/// Fewer neighbours are asked one by one, which is quicker.
+/// Fewer neighbours are tested one by one, which is quicker.
 constexpr std::size_t kManyNeighbors = 64;
-/// A tree costs as much as asking all neighbours two or three times, so it is made after that.
+/// A tree costs as much as testing all neighbours two or three times, so it is built after that.
 constexpr std::size_t kFewTimes = 4;
 /// Children of a node, and neighbours of a node of level 1: a power of two.
 constexpr unsigned kLogFanout = 2;
 constexpr std::size_t kFanout = std::size_t{1} << kLogFanout;
-constexpr std::size_t kMostLevels = 16;  // of 2^32 neighbours
-/// Sites that are farther by this share of all numbers are left out (neighbor_search.h).
+constexpr std::size_t kMostLevels = 16;  // enough for 2^32 neighbours
+/// Sites that are farther by this share of the numbers involved are left out (neighbor_search.h).
 constexpr double kApart = powerOfTwo(-34);
 
 double sizeOf(Point p) { return absolute(p.x) + absolute(p.y); }
@@ -28,7 +28,7 @@ double sizeOf(const Site& site) { return absolute(site.x) + absolute(site.y) + a
 struct NeighborSearch::Way {
   Point from, to;
   double reach;  // the farther end's distance
-  double size;   // of all numbers that it comes of
+  double size;   // sum of the sizes of the numbers it is computed from
 
   Way(const Site& own, Point a, Point b)
       : from(a - Point{own.x, own.y}),
@@ -83,7 +83,7 @@ bool NeighborSearch::list(VertexId cell, const CellPlace& place, Point from, Poi
     return true;
   }
   Way way(place.own, place.at, to);
-  way.size += sizeOf(from);  // which places along the segment are computed from
+  way.size += sizeOf(from);  // points along the segment are computed from it
   listNear(*tree, way, way.reach - place.own.r, found);
   return false;
 }
@@ -101,7 +101,7 @@ double NeighborSearch::leastExtra(VertexId cell, const CellPlace& place) {
     const Site& other = delaunay_.site(delaunay_.graph().target(h));
     least = std::min(least, place.extraOf(other, place.roundingOf(other)));
   };
-  // Nodes that look nearer first, so that few of the others can hold a nearer one.
+  // Nodes with smaller bounds first, so that few of the others can hold a nearer neighbour.
   struct Open {
     double least;  // the bound on its extra distances
     unsigned level;
@@ -132,12 +132,12 @@ double NeighborSearch::leastExtra(VertexId cell, const CellPlace& place) {
   return least;
 }
 
-/// The neighbours of a tree, in their order, but for those of nodes that are far.
+/// Lists the neighbours of a tree, in their order, except those of nodes that are far.
 void NeighborSearch::listNear(const Tree& tree, const Way& way, double most,
                               FlatArray<HalfedgeId>& found) {
   const Levels levels(tree);
   for (std::size_t k = 0; k < tree.count;) {
-    // Of the nodes that begin with neighbour k, the largest first, until one is far.
+    // Tries the nodes that begin with neighbour k, the largest first, until one is far.
     unsigned level = 1;
     while (level < levels.count && (k >> kLogFanout * level) % kFanout == 0) ++level;
     while (level > 0 &&
@@ -153,7 +153,7 @@ void NeighborSearch::listNear(const Tree& tree, const Way& way, double most,
   }
 }
 
-/// No circle of a node is nearer to the segment than this, whatever rounding does.
+/// A lower bound of the distance of a node's circles from the segment, whatever rounding does.
 double NeighborSearch::bound(const Node& node, const Way& way) {
   ++asked_;
   const double slack = kApart * (way.size + node.size);
@@ -219,7 +219,7 @@ NeighborSearch::Node NeighborSearch::unite(std::span<const Node> parts) {
   double rightmost = kInfinite, leftmost = -kInfinite;
   for (const Node& part : parts) {
     for (const Point direction : {part.first, part.last}) {
-      // Up to 63 degrees to either side, sines tell directions apart as well as these are known.
+      // Up to 63 degrees to either side, sines order directions as accurately as these are known.
       const double sine = cross(middle, direction);
       if (!(dot(middle, direction) > absolute(sine) / 2)) {
         whole.first = whole.last = {};

@@ -10,7 +10,7 @@ namespace apollonius::internal {
 namespace {
 
 constexpr std::int32_t kUnknown = std::numeric_limits<std::int32_t>::min();
-/// If so few of the faces are inside, one in this many, they are listed.
+/// If at most one face in this many is inside, they are listed.
 constexpr std::size_t kFewFaces = 16;
 
 }  // namespace
@@ -107,7 +107,7 @@ Conic ClippedDiagram::pieceInside(const Edge& edge, double e0, double e1, Point 
   return isNear ? curve : Conic::segment(curve.p0, curve.p2);
 }
 
-/// From the faces at infinity, where they are 0, over all edges.
+/// Computes the winding numbers: 0 for the faces at infinity, and from there over all edges.
 void ClippedDiagram::wind() {
   const Graph& graph = core_.delaunay().graph();
   windings_.assign(graph.faceSlots(), kUnknown);
@@ -124,8 +124,8 @@ void ClippedDiagram::wind() {
       std::int32_t& next = windings_[index(faceOf(twin))];
       if (next != kUnknown) continue;
       int winding = windings_[index(f)];
-      // Crossings are kept with one half-edge of the two. With E, which grows from the vertex on
-      // its right to that on its left, they add; the other way they take away.
+      // Crossings are kept with one half-edge of the two. In the direction of growing E, from the
+      // vertex on its right to that on its left, they are added; the other way, subtracted.
       const auto sum = [&](HalfedgeId edge) {
         int steps = 0;
         for (const std::uint32_t k : crossingsOf(edge)) steps += crossings_[k].isForward ? 1 : -1;

@@ -1,14 +1,14 @@
-// A region laid over a diagram: where its rings go from cell to cell, and what of each Voronoi edge
-// is inside.
+// A region laid over a diagram: the crossings of its rings from cell to cell, and the parts of
+// Voronoi edges inside.
 //
-// Each ring is walked from cell to cell (boundary_walk.h). What comes of a walk is a closed way in
-// the Delaunay graph, whatever rounding does: it returns to the cell that it began in, and each of
-// its steps crosses one edge at one place. All else follows from these crossings alone, and so fits
+// Each ring is walked from cell to cell (boundary_walk.h). The walk is a closed way in the Delaunay
+// graph, whatever rounding does: it returns to the cell that it began in, and each of its steps
+// crosses one edge at one point. Everything else follows from these crossings alone, and so fits
 // together: *winding numbers* of Voronoi vertices (how often the region is wound around them: 0
-// outside, 1 inside, and something else at most within rounding of a place where two rings nearly
-// meet) are 0 at infinity, and change along an edge by one at each crossing. The boundary of a part
-// of a cell then closes by itself, and what is left of an edge belongs to both cells. No point is
-// ever asked on which side it is.
+// outside, 1 inside, and other values only within rounding of a place where two rings nearly meet)
+// are 0 at infinity, and change along an edge by one at each crossing. The boundary of a part of a
+// cell then closes by itself, and a part of an edge belongs to both of its cells. No point is ever
+// tested for the side that it is on.
 #pragma once
 
 #include <algorithm>
@@ -23,11 +23,11 @@
 
 namespace apollonius::internal {
 
-/// A place where a ring leaves a cell for another.
+/// A point where a ring passes from one cell to another.
 struct Crossing {
-  HalfedgeId edge;  ///< that of the two that starts at the reference site
-  double e;         ///< where on it (bisector.h)
-  Point point;      ///< of the ring
+  HalfedgeId edge;  ///< the half-edge that starts at the reference site
+  double e;         ///< the parameter E on it (bisector.h)
+  Point point;      ///< on the ring
   Slot from, to;    ///< the cells
   bool isForward;   ///< the ring goes from left to right of `edge`, and so the inside follows
   std::uint32_t ring;
@@ -35,11 +35,11 @@ struct Crossing {
   std::uint32_t firstPoint, pointCount;  ///< the ring's points on the way there, cyclically
 };
 
-/// A part of an edge inside, from E = e0 to e1, which rounding can have exchanged.
+/// A part of an edge inside, from E = e0 to e1, which rounding can have swapped.
 struct InsideInterval {
   double e0, e1;
   Conic curve;
-  int multiplicity;                   ///< how often it is inside: once, but for rounding
+  int multiplicity;                   ///< how often it is inside: once, up to rounding
   bool startsAtVertex, endsAtVertex;  ///< rather than at a crossing
 };
 
@@ -58,24 +58,23 @@ class ClippedDiagram {
   /// The crossings of an edge, given by its half-edge that starts at the reference site, in the
   /// order of E.
   [[nodiscard]] std::span<const std::uint32_t> crossingsOf(HalfedgeId edge) const;
-  /// Rings that are within one cell: the value of each, with the cell's slot for its key, in the
-  /// order of these.
+  /// Rings within one cell: the value is the ring, the key the cell's slot; sorted by key.
   [[nodiscard]] std::span<const Keyed> interiorRings() const { return interiorRings_; }
   [[nodiscard]] std::span<const Keyed> interiorRingsOf(Slot cell) const;
-  /// Of a face's Voronoi vertex.
+  /// The winding number of a face's Voronoi vertex.
   [[nodiscard]] int windingOf(FaceId f) const {
     if (!isDense()) return isTouched(f) ? sparseWindingOf(f) : 0;
     return windings_[index(f)];
   }
 
-  /// A piece inside of an edge, from E = e0 to e1, with these ends: crossings or Voronoi vertices.
-  /// A vertex that rounding alone takes for inside can be farther away than the box is wide by any
-  /// factor, and with it would be areas; so nothing of a piece is far from the box.
+  /// A piece of an edge inside, from E = e0 to e1, with these ends: crossings or Voronoi vertices.
+  /// A vertex that is inside by rounding only can be any multiple of the box's width away, and
+  /// would spoil areas; so no part of a piece is far from the box.
   [[nodiscard]] Conic pieceInside(const Edge& edge, double e0, double e1, Point from,
                                   Point to) const;
 
-  /// Is a piece inside of h's edge but rounding: is the edge a point, or does it but touch the
-  /// border there?
+  /// Does a piece of h's edge exist by rounding only: is the edge a point, or does it only touch
+  /// the border there?
   [[nodiscard]] bool isTouch(HalfedgeId h, const Edge& edge, const Conic& piece,
                              bool isWhole) const {
     return core_.delaunay().isPoint(h) || (!isWhole && internal::isTouch(edge.bisector, piece));
@@ -84,8 +83,8 @@ class ClippedDiagram {
     return isTouch(h, edge, piece.curve, piece.e0 == edge.e0 && piece.e1 == edge.e1);
   }
 
-  /// visit(from, to, segment) for the segments of a ring from a crossing to its next one, or parts
-  /// of these.
+  /// Calls visit(from, to, segment) for the segments of a ring from a crossing to its next one, or
+  /// parts of these.
   template <class Visit>
   void visitBoundaryChain(const Crossing& crossing, Visit&& visit) const {
     const std::span<const Point> ring = polygon_.ring(crossing.ring);
@@ -101,18 +100,19 @@ class ClippedDiagram {
     visit(at, crossings_[crossing.next].point, first + k - 1);
   }
 
-  /// Is any of an edge inside? False for one of its two half-edges, too.
+  /// Is any part of an edge inside? Always false for the half-edge that does not start at the
+  /// reference site.
   [[nodiscard]] bool isAnyInside(HalfedgeId h) const;
-  /// The edge, and what of it is inside, in the order of E. REQUIRES: isAnyInside(); vertices that
-  /// are kept have the same precision.
+  /// Returns the edge, and lists its parts inside, in the order of E. REQUIRES: isAnyInside();
+  /// vertices that are kept have the same precision.
   Edge edgeInside(HalfedgeId h, VertexPrecision precision, FlatArray<InsideInterval>& pieces,
                   KeptVertices* kept = nullptr) const;
-  /// visit(h, edge, piece) for what of all edges is inside.
+  /// Calls visit(h, edge, piece) for the parts of all edges inside.
   template <class Visit>
   void visitEdges(VertexPrecision precision, Visit&& visit) const {
     const auto count = static_cast<std::uint32_t>(3 * core_.delaunay().graph().faceSlots());
     FlatArray<InsideInterval> pieces;
-    // A vertex that is computed anew is so for three edges. 512 KB
+    // A vertex that is computed anew serves three edges. 512 KB
     constexpr std::size_t kMostKept = std::size_t{1} << 14;
     KeptVertices kept;
     if (precision == VertexPrecision::kReproducible)
@@ -129,7 +129,7 @@ class ClippedDiagram {
   void sortCrossings();
   void wind();
   [[nodiscard]] bool isCrossed(HalfedgeId edge) const { return isTouched(faceOf(edge)); }
-  /// Is it perhaps inside, or has one of its half-edges a crossing?
+  /// May its vertex be inside, or has one of its half-edges a crossing?
   [[nodiscard]] bool isTouched(FaceId f) const {
     return (touched_[index(f) / 8] >> (index(f) % 8) & 1) != 0;
   }
@@ -144,8 +144,8 @@ class ClippedDiagram {
   FlatArray<Keyed> interiorRings_;
   FlatArray<std::uint32_t> byEdge_;   // crossings by edge, then by E
   FlatArray<unsigned char> touched_;  // by face, a bit each
-  // A view of a small region is not to hold much for each site: windings by face, or, where few
-  // faces are inside, of these alone (Keyed: the face, the winding), ascending.
+  // A view of a small region should not hold much for each site: winding numbers by face, or, where
+  // few faces are inside, only theirs (Keyed: the face, its winding number), ascending.
   FlatArray<std::int32_t> windings_;
   FlatArray<Keyed> inside_;
 };

@@ -21,7 +21,7 @@ FlatArray<Segment> segmentsOf(const NormalizedPolygon& polygon) {
 struct Triangle {
   Point a, b, c;
 
-  /// Is a segment outside? Two convex shapes are apart if the line of one's side parts them.
+  /// Is a segment outside? Two convex shapes are apart if the line of a side of one separates them.
   [[nodiscard]] bool isApartFrom(Point p, Point q) const {
     const auto areRightOf = [&](Point from, Point to) {
       return orient2d(from, to, p) == Sign::kNegative && orient2d(from, to, q) == Sign::kNegative;
@@ -76,7 +76,7 @@ bool PolygonGrid::isNear(const Conic& curve, std::uint32_t fromSegment,
 }
 
 bool PolygonGrid::isClearOf(const Rectangle& box) const {
-  // A segment is taken for its box.
+  // A segment is approximated by its box.
   const auto isMet = [&](std::uint32_t number) {
     const Point p = polygon_.points[segments_[number].from],
                 q = polygon_.points[segments_[number].to];

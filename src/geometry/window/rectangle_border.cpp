@@ -11,16 +11,15 @@ namespace apollonius::internal {
 
 namespace {
 
-/// Places from a reference on: 0 to 4.
+/// Position relative to a reference: 0 to 4.
 double after(double position, double reference) {
   const double d = position - reference;
   return d >= 0 ? d : d + 4;
 }
 
-/// Before, counter-clockwise from corner 0. Places are rounded to a share of the side, coordinates
-/// are not. Which is first of several in one point, as far as doubles can tell, their numbers say:
-/// RectangleCellClipper counts pieces from one edge on after any history, and sums do not ask which
-/// it is.
+/// Does a come before b, counter-clockwise from corner 0? Positions are rounded, coordinates are
+/// not. Ties at one point are broken by piece number: RectangleCellClipper numbers pieces from the
+/// same edge on after any history, and for sums the order does not matter.
 bool comesBefore(const BorderContact& a, const BorderContact& b) {
   if (a.position != b.position) return a.position < b.position;
   if (a.side != b.side) return a.side < b.side;
@@ -34,9 +33,9 @@ bool comesBefore(const BorderContact& a, const BorderContact& b) {
   return a.leaves != b.leaves ? a.leaves : a.piece < b.piece;
 }
 
-/// The number of corners on the way between two contacts, of which rounded places count `seen`. One
-/// at each end may be missing there, none is too many; and none is on the way if rounding has
-/// exchanged the two.
+/// The number of corners on the way between two contacts. `seen` is the number by rounded
+/// positions: it may miss one corner at each end, and never counts too many. No corner is on the
+/// way if rounding has swapped the two.
 int cornersBetween(const BorderContact& from, const BorderContact& to, int seen) {
   int count = (to.side - from.side + 4) % 4;
   while (count < seen) count += 4;
@@ -44,7 +43,7 @@ int cornersBetween(const BorderContact& from, const BorderContact& to, int seen)
   return std::clamp(count, 0, 4);
 }
 
-/// Disorder of two sorted lists that should alternate, one[0] first: the sum of what they overlap.
+/// Disorder of two sorted lists that should alternate, one[0] first: the sum of their overlaps.
 double disorder(const FlatArray<double>& one, const FlatArray<double>& two) {
   double sum = 0;
   for (std::size_t k = 0; k < one.size(); ++k) {
@@ -56,19 +55,21 @@ double disorder(const FlatArray<double>& one, const FlatArray<double>& two) {
 
 Slot nearest(const DiagramCore& core, Point p) { return core.nearest(taken(p.x), taken(p.y)); }
 
-/// Does the site own the gap before the first contact, as the contacts tell, for sure or not? In a
-/// window many times as large as what is in it rounding moves contacts along whole sides, and they
-/// tell what is not so. So all gaps are asked, and if one contradicts, or it is not sure, at five
-/// places each, because any one may be too close to an edge: it is what is right along most of the
-/// border. Asked on the border itself, as a cell along it may be thinner than doubles can tell.
-/// Where the border lies on an edge, the tie rule of nearest() picks the owner; so one site loses
-/// at most two of a window's four sides.
+/// Does the site own the gap before the first contact? `isTold` is the contacts' answer, `isSure`
+/// whether it is certain. In a window many times as large as what is in it, rounding moves contacts
+/// along whole sides, and their answer can be wrong. So all gaps are tested, at one point each; and
+/// if one contradicts, or the answer is not certain, at five points each, because any one may be
+/// too close to an edge: the answer is what is right along most of the border. The points are on
+/// the border itself, as a cell along it may be thinner than doubles can tell. Where the border
+/// lies on an edge, the tie rule of nearest() picks the owner; so one site loses at most two of a
+/// window's four sides.
 bool ownsFirstGap(const DiagramCore& core, Slot site, const Rectangle& window,
                   const FlatArray<BorderContact>& contacts, double reference, bool isTold,
                   bool isSure) {
   double balance = 0;
   for (const double part : {0.5, 0.29, 0.67, 0.16, 0.88}) {
-    // How often it owns a gap if it does not own the first: 0, 1, or another number by rounding.
+    // How often the site owns a gap if it does not own the first: 0, 1, or another number by
+    // rounding.
     int multiplicity = 0;
     double begin = after(contacts.back().position, reference) - 4;
     for (const BorderContact& contact : contacts) {
@@ -88,8 +89,8 @@ bool ownsFirstGap(const DiagramCore& core, Slot site, const Rectangle& window,
 }  // namespace
 
 Slot ownerOfWindow(const DiagramCore& core, const Rectangle& window) {
-  // A sliver of a cell, lost to rounding, can own the middle; but hardly the corners, too, which
-  // are asked just inside.
+  // A sliver of a cell, lost to rounding, can own the middle, but hardly the corners, too. These
+  // are tested just inside.
   const Slot middle = nearest(core, window.center());
   int votes = 1;
   for (int k = 0; k < 4; ++k) {
@@ -102,10 +103,10 @@ Slot ownerOfWindow(const DiagramCore& core, const Rectangle& window) {
 void linkBorderArcs(const DiagramCore& core, Slot site, const Rectangle& window,
                     FlatArray<BorderContact>& contacts, FlatArray<BorderArc>& arcs) {
   arcs.clear();
-  // Invalid edges, which a trusted snapshot can have, give places outside of the border.
+  // Invalid edges, which a trusted snapshot can have, give positions outside of the border.
   const auto isOnBorder = [](const BorderContact& c) { return c.position >= 0 && c.position <= 4; };
   if (contacts.empty() || !std::all_of(contacts.begin(), contacts.end(), isOnBorder)) return;
-  // All of them: a heap sort, which is a tenth of std::sort's code.
+  // Sorts all: a heap sort, which has a tenth of std::sort's code.
   std::partial_sort(contacts.begin(), contacts.end(), contacts.end(), comesBefore);
   // The reference is the middle of the largest gap.
   double reference = 0, gap = -1;
@@ -131,7 +132,7 @@ void linkBorderArcs(const DiagramCore& core, Slot site, const Rectangle& window,
     (isLeave ? leavePositions : enterPositions).push_back(after(contacts[k].position, reference));
   }
   const std::size_t count =
-      std::min(leaves.size(), enters.size());  // they are equally many, if the edges are some
+      std::min(leaves.size(), enters.size());  // equal, unless edges are invalid
   if (count == 0) return;
   leavePositions.resize(count);
   enterPositions.resize(count);

@@ -1,12 +1,13 @@
-// Which parts of the window's border belong to a cell, from the places where the cell's boundary
-// leaves and enters the window.
+// Finds the parts of the window's border that belong to a cell, from the points where the cell's
+// boundary leaves and enters the window.
 //
-// Walking counter-clockwise along the border, the cell begins at each place where its boundary
-// (counter-clockwise, the cell on the left) leaves the window and ends where it enters: leaves and
-// enters alternate. Rounding can exchange two that are close. So they are not matched by what
-// follows what, but as two sorted lists, of which the k-th belong together; what rounding does is
-// then as small as itself. Whether the first leave belongs to the first enter or to the second is
-// the choice with (almost) no disorder, if the nearest sites of places between do not contradict.
+// Counter-clockwise along the border, the cell begins at each point where its boundary
+// (counter-clockwise, the cell on the left) leaves the window, and ends where it enters: leaves and
+// enters alternate. Rounding can swap two that are close. So they are not matched by their order
+// along the border, but as two sorted lists whose k-th entries belong together; then the effect of
+// rounding is as small as rounding itself. The first leave belongs to the first enter or to the
+// second: the choice with (almost) no disorder is taken, unless the nearest sites of points between
+// contradict.
 #pragma once
 
 #include <cstdint>
@@ -26,14 +27,15 @@ struct BorderContact {
   bool leaves;
 };
 
-/// A part of the border, counter-clockwise from where a piece left to where a piece enters, over so
-/// many corners.
+/// A part of the border, counter-clockwise from where a piece leaves to where a piece enters, with
+/// the corners on the way.
 struct BorderArc {
   std::uint32_t from, to;  ///< indices of contacts
   int firstCorner = 0, cornerCount = 0;
 };
 
-/// Matches the contacts of a cell, of which as many leave as enter; sorts them by position.
+/// Matches the contacts of a cell, and sorts them by position. As many leave as enter, unless edges
+/// are invalid.
 void linkBorderArcs(const DiagramCore& core, Slot site, const Rectangle& window,
                     FlatArray<BorderContact>& contacts, FlatArray<BorderArc>& arcs);
 

@@ -25,8 +25,8 @@ class RectangleSides final : public Border {
     p = box_.nearestTo(p);
     return p.x == box_.xmin || p.x == box_.xmax || p.y == box_.ymin || p.y == box_.ymax;
   }
-  /// If it runs counter-clockwise along one side. Not where rounding has exchanged two contacts
-  /// (rectangle_border.h).
+  /// Does the piece run counter-clockwise along one side? Not where rounding has exchanged two
+  /// contacts (rectangle_border.h).
   [[nodiscard]] bool isSimple(Point a, Point b) const override {
     return (areOn(box_.ymin, a.y, b.y) && b.x >= a.x) ||
            (areOn(box_.xmax, a.x, b.x) && b.y >= a.y) ||

@@ -9,10 +9,10 @@ namespace apollonius::internal {
 
 namespace {
 
-/// This many need not be sorted.
+/// Up to this many rings need not be sorted.
 constexpr std::size_t kFewRings = 8;
-/// Boxes are parted by their places if they are this much smaller than all of them together, on the
-/// average.
+/// Rings are divided by position if their boxes are on average more than this many times smaller
+/// than the box of all.
 constexpr double kSmaller = 4;
 
 constexpr Rectangle kNothing{kInfinite, kInfinite, -kInfinite, -kInfinite};
@@ -49,7 +49,7 @@ std::uint32_t RingNesting::find(Point p, double area) {
   return search.found;
 }
 
-/// A number that grows with one that is not negative.
+/// A sort key that grows with x. REQUIRES: x >= 0.
 std::uint32_t RingNesting::keyOf(double x) {
   return static_cast<std::uint32_t>(std::bit_cast<std::uint64_t>(x + 0.0) >> 32);
 }
@@ -91,7 +91,7 @@ std::uint32_t RingNesting::plant(std::span<Keyed> rings) {
 
 void RingNesting::search(std::uint32_t number, std::size_t count, Search& search) {
   ++looks_;
-  const Node node = nodes_[number];  // which a ring's pieces can move
+  const Node node = nodes_[number];  // a copy: trees of pieces can move the array
   if (!(node.last > search.area) || node.first > search.smallest || !node.box.holds(search.p))
     return;
   if (count > 1) {
@@ -129,7 +129,7 @@ std::uint32_t RingNesting::plantRow(std::uint32_t ring, std::size_t begin, std::
   const Node &a = nodes_[number + 1], &b = nodes_[right];
   Node node{a.box, a.first, b.last, right};
   include(node.box, b.box);
-  // Rounding can part two pieces. Then no point has all of them on its right.
+  // Rounding can leave a gap between two pieces. Then no point counts as having all on its right.
   if (a.last != b.first) node.box.xmin = -kInfinite;
   nodes_[number] = node;
   return number;

@@ -1,14 +1,14 @@
-// Rings within rings: the smallest one around a point. Neither many rings nor long ones are asked
-// one by one, where trees of boxes tell them apart.
+// Rings within rings: finds the smallest ring around a point. Trees of boxes avoid testing all
+// rings, or all pieces of a ring, one by one.
 //
-// Rings are in a tree that parts them by place, or, where most lie over each other, by area: so
-// islands side by side are left out by their boxes, and of rings around each other the first that
-// are large enough are asked first.
+// Rings are in a tree that divides them by position, or, where most overlap, by area: so islands
+// side by side are ruled out by their boxes, and of rings around each other the smallest that are
+// large enough are tested first.
 //
 // Pieces of a ring are in a tree in their order. Is a point on the left of an odd number of them?
-// Of a row of pieces that each begin where the one before has ended, and with all of their boxes on
-// the point's right, it is if the first one begins and the last one ends on different sides of its
-// height. With all on its left, or above or below it, it never is.
+// Take a row of pieces, each of which begins where the one before ends. If all of their boxes are
+// on the point's right, the answer is yes if the row begins and ends on different sides of the
+// point's height. If all are on its left, or above or below it, the answer is no.
 #pragma once
 
 #include <cstdint>
@@ -20,10 +20,10 @@
 
 namespace apollonius::internal {
 
-/// What a search asks of the rings.
+/// The rings, as a search needs them.
 class NestedRings {
  public:
-  /// From one point to another, within the triangle with a third one.
+  /// A piece from one point to another, within the triangle with a third one.
   struct Piece {
     Point from, aside, to;
   };
@@ -31,10 +31,10 @@ class NestedRings {
   virtual ~NestedRings() = default;
   [[nodiscard]] virtual std::size_t pieceCount(std::uint32_t ring) const = 0;
   [[nodiscard]] virtual Piece piece(std::uint32_t ring, std::size_t k) const = 0;
-  /// Does a ray to the right cross a piece, an odd number of times? Its start is in the piece's
-  /// box, or on the box's border.
+  /// Does a ray to the right cross a piece an odd number of times? Its start is in the piece's box,
+  /// or on the box's border.
   virtual bool isCrossed(std::uint32_t ring, std::size_t k, Point from) = 0;
-  /// Is the ring around what the search is for? Asked if the box is.
+  /// Is the ring around the object of the search? Called if its box holds the search's point.
   virtual bool isAround(std::uint32_t ring) = 0;
 };
 
@@ -46,17 +46,17 @@ class RingNesting {
   explicit RingNesting(NestedRings& rings) : rings_(rings) {}
 
   void clear();
-  /// A ring, numbered from 0 with gaps at will. REQUIRES: no search since clear().
+  /// Adds a ring. Numbers begin with 0 and may have gaps. REQUIRES: no search since clear().
   void add(std::uint32_t ring, double area, const Rectangle& box) {
     entries_.push_back({box, area, ring});
   }
-  /// Of the rings that have more than an area, hold a point in their boxes, and are around what the
-  /// search is for: the smallest, of those of one size the first; or kNoRing.
+  /// Finds the smallest ring with an area larger than `area` whose box holds p and that is around
+  /// the object of the search; among equal areas, the first. kNoRing if there is none.
   [[nodiscard]] std::uint32_t find(Point p, double area);
   /// Is a point on the left of an odd number of a ring's pieces?
   [[nodiscard]] bool isInside(std::uint32_t ring, Point p);
 
-  /// How many nodes, rings and pieces have been looked at.
+  /// Number of nodes, rings and pieces examined.
   [[nodiscard]] std::size_t looks() const { return looks_; }
 
  private:
@@ -65,11 +65,11 @@ class RingNesting {
     double area;
     std::uint32_t ring;
   };
-  /// Of a tree whose nodes are in the order in which a walk enters them: the left child follows.
+  /// A node of a tree. Nodes are in preorder: the left child follows its parent.
   struct Node {
     Rectangle box;
-    double first, last;   // areas, the least and the most; or heights of a row's ends
-    std::uint32_t right;  // child; of a ring: its entry
+    double first, last;   // least and largest area; or heights of a row's ends
+    std::uint32_t right;  // the right child; in a leaf of rings: the ring's entry
   };
   struct Search;
 
@@ -82,8 +82,8 @@ class RingNesting {
 
   NestedRings& rings_;
   FlatArray<Entry> entries_;
-  FlatArray<Node> nodes_;            // of the rings, and of the pieces of those that were asked
-  FlatArray<std::uint32_t> rootOf_;  // by ring, of its pieces; 0: not planted
+  FlatArray<Node> nodes_;  // trees of the rings, and of the pieces of rings that were tested
+  FlatArray<std::uint32_t> rootOf_;  // by ring: root of the tree of its pieces; 0: not built
   std::size_t looks_ = 0;
 };
 

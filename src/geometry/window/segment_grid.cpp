@@ -25,8 +25,8 @@ SegmentGrid::SegmentGrid(std::span<const Point> points, std::span<const Segment>
                          const Rectangle& box)
     : box_(box) {
   const auto count = static_cast<double>(std::max<std::size_t>(segments.size(), 1));
-  // Together they cross `across` columns of one, and `up` rows. Of cells that are as many as
-  // segments, across columns + up rows is least where both are equal.
+  // Segments meet up to across · columns + up · rows cells. With as many cells as segments, this is
+  // least where both terms are equal.
   double across = 1, up = 1;
   for (const Segment& s : segments) {
     across += absolute(points[s.to].x - points[s.from].x) / box.width();

@@ -1,4 +1,4 @@
-// Segments by the cells of a grid that they meet, so that those near each other are found.
+// Segments by the cells of a grid that they meet, to find those near each other.
 #pragma once
 
 #include <algorithm>
@@ -11,29 +11,31 @@
 
 namespace apollonius::internal {
 
-/// From one point to another, as indices of an array of points.
+/// A segment from one point to another, as indices of an array of points.
 struct Segment {
   std::uint32_t from, to;
 };
 
 class SegmentGrid {
  public:
-  /// About one cell a segment, in as many rows and columns as make these meet the fewest cells:
-  /// what runs upwards is in many columns. REQUIRES: `box` holds all points and has an area.
+  /// Makes about one cell a segment, with the numbers of rows and columns for which segments meet
+  /// the fewest cells: many columns if segments run upwards. REQUIRES: `box` holds all points and
+  /// has an area.
   SegmentGrid(std::span<const Point> points, std::span<const Segment> segments,
               const Rectangle& box);
 
-  /// The segments that meet a cell, and perhaps others beside it; ascending.
+  /// The segments that meet a cell, and perhaps others close to it; ascending.
   [[nodiscard]] std::span<const std::uint32_t> at(std::size_t cell) const {
     return std::span(entries_).subspan(starts_[cell], starts_[cell + 1] - starts_[cell]);
   }
-  /// How many segments all see that look at those in their cells: again in each, and themselves.
+  /// The number of pairs of segments in one cell, summed over the cells: in both orders, and each
+  /// segment with itself.
   [[nodiscard]] double looks() const;
-  /// The cells that a segment meets, and perhaps others beside them, replace the contents. Cost:
-  /// these, and the rows between.
+  /// Lists the cells that a segment meets, and perhaps others beside them; replaces the contents.
+  /// Cost: the number of these cells, and of rows between.
   void listCells(Point a, Point b, FlatArray<std::uint32_t>& cells) const;
-  /// Does `ask(cell)` say yes for any of the cells that a convex shape meets, and perhaps others
-  /// beside them? It ends with the first. The shape's corners in order: two are a segment.
+  /// Is ask(cell) true for any of the cells that a convex shape meets, or perhaps others beside
+  /// them? Stops at the first. The shape is given by its corners in order: two are a segment.
   template <class Ask>
   [[nodiscard]] bool isAnyCell(std::initializer_list<Point> corners, Ask ask) const {
     return isAny(
@@ -52,10 +54,10 @@ class SegmentGrid {
   [[nodiscard]] std::size_t cellOf(std::uint32_t column, std::uint32_t row) const {
     return std::size_t{row} * columns_ + column;
   }
-  /// One for all kinds of questions, which are `ask(asked, cell)`.
+  /// Type-erased, so that this code exists once.
   bool isAny(std::span<const Point> corners, bool (*ask)(void* asked, std::size_t cell),
              void* asked) const;
-  /// Of a cell: more than rounding.
+  /// Margin around a cell, as a share of its size: more than rounding.
   static constexpr double kMargin = 0.01;
 
   [[nodiscard]] static std::uint32_t indexOf(double along, double whole, std::uint32_t count) {
@@ -65,7 +67,7 @@ class SegmentGrid {
 
   Rectangle box_;
   std::uint32_t columns_ = 1, rows_ = 1;
-  FlatArray<std::uint32_t> starts_;   // by cell, of entries_; and their number
+  FlatArray<std::uint32_t> starts_;   // by cell: its first entry; and the number of entries
   FlatArray<std::uint32_t> entries_;  // segments
 };
 

@@ -18,13 +18,13 @@ SegmentPairs::SegmentPairs(const FlatArray<Point>& points, std::span<const Segme
     : points_(points), segments_(segments), grid_(points, segments, box) {
   if (!(grid_.looks() > fewLooks * static_cast<double>(segments.size()))) return;
   sweep();
-  // If they are half of all, it is quicker to look at each pair from one side only.
+  // If more than half are out, it is quicker to examine each pair from one side only.
   std::size_t out = 0;
   for (std::uint32_t k = 0; k < outFor_.size(); ++k) out += isOut(k) ? 1 : 0;
   isEachPairVisited_ = 2 * out > outFor_.size();
 }
 
-/// From left to right.
+/// Runs the sweep from left to right.
 void SegmentPairs::sweep() {
   const FlatArray<std::uint32_t> order = orderedFromLeft(points_);
   FlatArray<Point> points(order.size());

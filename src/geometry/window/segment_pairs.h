@@ -1,6 +1,6 @@
-// The pairs of segments that may meet: those in one cell of a grid. Where these are too many, a
-// sweep takes segments out, so that those that stay do not meet in more than common ends; then only
-// pairs with one that is out are visited.
+// The pairs of segments that may meet: those in one cell of a grid. If these are too many, a sweep
+// takes segments out, so that the remaining ones meet at most in common ends; then only pairs with
+// a segment that is out are visited.
 #pragma once
 
 #include <cstdint>
@@ -12,29 +12,28 @@
 
 namespace apollonius::internal {
 
-/// Points by their numbers, from left to right.
+/// The numbers of the points, from left to right.
 [[nodiscard]] FlatArray<std::uint32_t> orderedFromLeft(std::span<const Point> points);
 
 class SegmentPairs {
  public:
-  /// Fewer pairs in one cell than this for each segment are visited all.
+  /// Up to this many pairs for each segment, all pairs are visited.
   static constexpr double kFewLooks = 64;
 
   /// REQUIRES: `box` holds all points and has an area; equal points have equal numbers, and no
-  /// segment is but a point. All live as long. Cost: O(n log n + cells of the grid that segments
-  /// meet).
+  /// segment is a point. All live as long. Cost: O(n log n + cells of the grid that segments meet).
   SegmentPairs(const FlatArray<Point>& points, std::span<const Segment> segments,
                const Rectangle& box, double fewLooks = kFewLooks);
 
-  /// visit(k, m), with m < k, once for each pair.
+  /// Calls visit(k, m), with m < k, once for each pair.
   template <class Visit>
   void visit(Visit visit) {
     visitAll([](void* to, std::uint32_t k, std::uint32_t m) { (*static_cast<Visit*>(to))(k, m); },
              &visit);
   }
 
-  /// visit(k, m) for all pairs or, where they are too many, for one with each segment that the
-  /// sweep takes out. If no pair that is visited meets, no pair does.
+  /// Calls visit(k, m) for all pairs or, if they are too many, for one pair with each segment that
+  /// the sweep takes out. If no pair that is visited meets, no pair does.
   template <class Visit>
   void visitWitnesses(Visit visit) {
     if (outFor_.empty()) return this->visit(visit);
@@ -43,19 +42,19 @@ class SegmentPairs {
     }
   }
 
-  /// How many pairs have been looked at.
+  /// Number of pairs examined.
   [[nodiscard]] std::size_t looks() const { return looks_; }
 
  private:
   [[nodiscard]] bool isOut(std::uint32_t segment) const { return outFor_[segment] != kStays; }
-  /// One for all kinds of visits, which are `call(to, k, m)`.
+  /// Type-erased, so that this code exists once.
   void visitAll(void (*call)(void* to, std::uint32_t k, std::uint32_t m), void* to);
   void sweep();
 
-  const FlatArray<Point>& points_;  // which a visit can make longer
+  const FlatArray<Point>& points_;  // visits can append to it
   std::span<const Segment> segments_;
   SegmentGrid grid_;
-  FlatArray<std::uint32_t> outFor_;  // by segment, as SegmentSweep says; empty without a sweep
+  FlatArray<std::uint32_t> outFor_;  // by segment: SegmentSweep::takeOut(); empty without a sweep
   bool isEachPairVisited_ = true;
   std::size_t looks_ = 0;
 };

@@ -32,8 +32,8 @@ bool doMeet(std::span<const Point> points, const Segment& s, const Segment& t) {
   return !isBeside(points, s, t) && !isBeside(points, t, s);
 }
 
-/// On which side of t is s? Of two segments that the sweep meets, and that do not meet each other
-/// before it; zero if they overlap.
+/// On which side of t is s? Zero if they overlap. REQUIRES: the sweep line meets both, and they do
+/// not meet each other before it.
 Sign SegmentSweep::sideOf(std::uint32_t s, std::uint32_t t) {
   ++looks_;
   if (s == t) return Sign::kZero;
@@ -73,12 +73,12 @@ void SegmentSweep::run() {
     for (; ended < count && ends[ended].key <= point; ++ended) {
       const std::uint32_t k = ends[ended].value, place = placeOf_[k];
       if (isOut(k)) continue;
-      // What begins at the point ends later, so there is a next end.
+      // A segment that begins at the point ends later, so there is a next end.
       const bool isOnly = begun.size() == 1 && ends[ended].key == point &&
                           (ended == 0 || ends[ended - 1].key != point) &&
                           ends[ended + 1].key != point;
       if (isOnly) {
-        // Nothing else comes to the point, as its neighbours do not meet it.
+        // No other segment comes to the point, as its neighbours do not meet it.
         placeOf_[begun[0].value] = place;
         places_[place].segment = begun[0].value;
       } else {
@@ -99,10 +99,10 @@ void SegmentSweep::run() {
   }
 }
 
-/// Makes a place the root that a segment has or is next to, top down.
+/// Makes the place of a segment, or one next to it, the root; top down.
 void SegmentSweep::splay(std::uint32_t segment) {
   const auto none = static_cast<std::uint32_t>(segments_.size());
-  // What is above and what is below hangs on the spare place, and grows at these.
+  // The parts of the tree above and below hang on the spare place, and grow at these ends.
   std::array<std::uint32_t, 2> tails{none, none};
   std::uint32_t at = root_;
   Sign side = sideOf(segment, places_[at].segment);
@@ -137,7 +137,7 @@ void SegmentSweep::join(std::uint32_t low, std::uint32_t high) {
   places_[high].next[0] = low;
 }
 
-/// The second of two that overlap is out.
+/// Inserts a segment into the order; takes it out if it overlaps another one.
 void SegmentSweep::insert(std::uint32_t segment) {
   const auto none = static_cast<std::uint32_t>(segments_.size());
   Place& place = places_[segment];
@@ -162,7 +162,7 @@ void SegmentSweep::insert(std::uint32_t segment) {
   join(segment, above);
 }
 
-/// It still knows its neighbours.
+/// Removes a place from the order. The place keeps its links to its neighbours.
 void SegmentSweep::erase(std::uint32_t place) {
   const auto none = static_cast<std::uint32_t>(segments_.size());
   splay(places_[place].segment);
@@ -177,7 +177,7 @@ void SegmentSweep::erase(std::uint32_t place) {
   join(below, above);
 }
 
-/// Of neighbours that meet, takes one out, until none do.
+/// While two neighbours meet, takes out one of them.
 void SegmentSweep::part(std::uint32_t low, std::uint32_t high) {
   while (isTesting_ && places_[low].segment != kNoneBelow && places_[high].segment != kNoneBelow) {
     const std::uint32_t s = places_[low].segment, t = places_[high].segment;

@@ -1,7 +1,7 @@
-// Segments from left to right: which of them is below the left end of each, and without which of
-// them the others do not meet. For segments that a grid (segment_grid.h) does not keep apart: sides
-// of nested squares, which have whole rows of cells in common; islands close together, and one far
-// away.
+// A sweep over segments from left to right: finds the segment below the left end of each, and a set
+// of segments without which the others do not meet. For segments that a grid (segment_grid.h) does
+// not keep apart: sides of nested squares, which have whole rows of cells in common; islands close
+// together, and one far away.
 //
 // A line sweeps the plane from left to right (Shamos and Hoey, Geometric intersection problems,
 // 1976), upwards where points are above each other, as if it were turned a little. Segments that it
@@ -13,13 +13,14 @@
 // Then no two segments that stay meet at all. Suppose that some that are kept at the same time do,
 // and let p be the first point where that happens. Before p they do not meet, so their order is
 // right up to there; those that come to p from the left are neighbours of each other.
-//   - If two or more come to p, and not all end there, then two neighbours do of which one goes on:
-//     they meet in p, and one of them has been taken out. A contradiction.
-//   - So either all that come to p end there, or just one does, which goes on, and another begins
-//     at p; or two begin at p and overlap. What ends at p has left before any that begins there is
-//     placed. Where one goes through p and stays, so does none that begins there: each becomes its
-//     neighbour in turn, as those before have been taken out, and they meet. Two that overlap have
-//     no order, and the second is taken out. A contradiction again.
+//   - If two or more come to p, and not all end there, then there are two neighbours among them of
+//     which one goes on: they meet in p, and one of them has been taken out. A contradiction.
+//   - So either all that come to p end there; or just one comes to p and goes on, and another
+//   begins
+//     there; or two begin at p and overlap. Segments that end at p are removed before any that
+//     begins there is placed. If one goes through p and stays, then none that begins there stays:
+//     each becomes its neighbour in turn, as those before have been taken out, and they meet. Two
+//     that overlap have no order, and the second is taken out. A contradiction again.
 #pragma once
 
 #include <array>
@@ -48,25 +49,27 @@ class SegmentSweep {
   SegmentSweep(std::span<const Point> points, std::span<const Segment> segments)
       : points_(points), segments_(segments) {}
 
-  /// For each segment that is taken out, the one that it meets, or that has the same ends: of two,
-  /// the shorter one is. kStays for all others. Cost: O(n log n).
+  /// Takes segments out until the others do not meet: of two that meet, the shorter one. Returns
+  /// for each the segment that it meets, or that has the same ends; kStays for those that stay.
+  /// Cost: O(n log n).
   FlatArray<std::uint32_t> takeOut() {
     isTesting_ = true;
     run();
     return std::move(outFor_);
   }
-  /// For each segment the one below its left end, or to the right of that; or kNoneBelow. REQUIRES:
-  /// no two meet. Cost: O(n log n), but O(1) for segments that go on where just one ends.
+  /// Returns for each segment the one below its left end, or just to the right of that; or
+  /// kNoneBelow. REQUIRES: no two meet. Cost: O(n log n), but O(1) for a segment that begins where
+  /// just one ends.
   FlatArray<std::uint32_t> listBelow() {
     run();
     return std::move(below_);
   }
 
-  /// How many pairs have been compared or tested.
+  /// Number of pairs compared or tested.
   [[nodiscard]] std::size_t looks() const { return looks_; }
 
  private:
-  /// A place in the order, in which another segment can follow one that ends.
+  /// A place in the order. When its segment ends, another one that begins there can take it over.
   struct Place {
     std::uint32_t segment;
     std::array<std::uint32_t, 2> next;      // below and above
@@ -86,8 +89,8 @@ class SegmentSweep {
   std::span<const Point> points_;
   std::span<const Segment> segments_;
   bool isTesting_ = false;
-  FlatArray<Place> places_;           // and one more, whose `next` are the ends of the order
-  std::uint32_t root_ = 0;            // of the tree: that one, if it is empty
+  FlatArray<Place> places_;           // and a spare one, whose `next` are the ends of the order
+  std::uint32_t root_ = 0;            // root of the tree; the spare place if it is empty
   FlatArray<std::uint32_t> placeOf_;  // by segment
   FlatArray<std::uint32_t> outFor_;
   FlatArray<std::uint32_t> below_;

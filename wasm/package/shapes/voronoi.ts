@@ -690,7 +690,7 @@ export class Voronoi implements Disposable {
     return [this.xmin, this.ymin, this.xmax, this.ymax];
   }
 
-  /** The window for a native call. Read it last: the caller's code may have disposed of the view. */
+  /** The window for a native call. Read it last: the caller's code may dispose of the view. */
   get #window(): NativeWindow {
     Voronoi.#living(this);
     return [this.#region, this.#reach, ...this.#bounds];
