@@ -17,6 +17,10 @@ const avoided = [
   [/\bhad better\b/i, "say what to do"],
   [/\bso many (?!that)\w+/i, "say `this many`, or name the number"],
   [/\bwhose \w+ (it|that|they) (is|are)\b/i, "turn the sentence round"],
+  [
+    /^\s*(\/\/+<?|\*|\/\*\*) (Of|What|Whose|Whoever|The same|But for)\b/,
+    "begin with a verb or a noun: Returns, Length of, As above",
+  ],
 ];
 
 /** Files of git's that people read and we write: no data, results, lock files. */
