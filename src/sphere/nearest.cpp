@@ -117,7 +117,7 @@ class SphericalWalk {
     return node_ != from;
   }
 
-  /// Goes to a nearer site that is beyond sites as far away as this one but for rounding.
+  /// Goes to a nearer site beyond sites that are as far away as this one up to rounding.
   bool passTies() {
     const Graph& graph = diagram_.graph();
     const VertexId from = node_;

@@ -65,13 +65,12 @@ class Graph {
   [[nodiscard]] std::size_t faceCount() const { return faceSlots() - freeFaces_; }
   [[nodiscard]] bool isLive(FaceId f) const { return origin(halfedgeOf(f, 0)) != kNoVertex; }
   [[nodiscard]] bool isEmpty() const { return faceCount() == 0; }
-  /// All vertices in the graph but infinity; replaces the contents. Cost: as clear(). Throws
-  /// std::bad_alloc.
+  /// Lists all vertices in the graph except infinity; replaces the contents. Cost: as clear().
+  /// Throws std::bad_alloc.
   void listVertices(FlatArray<VertexId>& vertices) const;
 
   // --- Room
-  // The operations below allocate nothing: whoever calls them has made room, and can fail only
-  // there.
+  // The operations below allocate nothing: the caller makes room first, and can fail only there.
 
   void reserveVertices(std::size_t slots);  ///< room for vertices of index < slots
   /// Room for an operation that takes `removed` faces away and brings `created` new ones.

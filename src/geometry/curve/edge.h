@@ -68,8 +68,8 @@ struct Edge {
 /// A piece of an edge between two places, with these ends. Straight where rounding has exchanged
 /// the two, or where doubles know no curve.
 [[nodiscard]] Conic pieceOf(const Bisector& bisector, double e0, double e1, Point from, Point to);
-/// Is a piece no longer than rounding moves its ends? Then, if something else than a vertex ends it
-/// there, the edge but touches that.
+/// Is a piece no longer than rounding moves its ends? Then, if it ends at something other than a
+/// vertex, the edge merely touches that.
 [[nodiscard]] bool isTouch(const Bisector& bisector, const Conic& piece);
 
 }  // namespace apollonius::internal
