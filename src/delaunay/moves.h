@@ -13,19 +13,19 @@
 //
 // On 2. Seen from the larger of its sites, a bounded edge spans at most half a turn
 // (docs/PREDICATES.md), so the turn from one end to the other tells. An unbounded one may span
-// more: its turn must have the sign that it had. As by 3 each end has turned by less than a
-// quarter, a span of less than half a turn cannot have become one of more than half a turn then,
-// nor the reverse, nor less than none or more than a whole one: it is the angle above. (That the
-// corner beyond an edge is in no conflict with a face, seen from either side, would not do: a small
-// site that has jumped over the vertex at the edge's other end is in none.)
+// more: its turn must have the sign that it had before. As by 3 each end has turned by less than a
+// quarter, a span of less than half a turn cannot have become one of more than half a turn, nor the
+// reverse, nor less than none or more than a whole one: it is the angle above. (It would not
+// suffice that the corner beyond an edge is in no conflict with a face, seen from either side: a
+// small site that has jumped over the vertex at the edge's other end is in no conflict.)
 //
-// Flips. Where an edge contradicts 2 it is replaced by the other diagonal, and the faces around are
-// looked at again (Lawson, Software for C1 surface interpolation, 1977: for points that ends with
-// the Delaunay graph, from any triangulation). What results is proved by the same conditions, of
-// the new faces as of the old ones; how it has come about does not matter. If a face at infinity
-// has been flipped, it has no former normal: then 3 is that the normals of the whole hull make one
-// turn, exactly asked (Proof::hullTurnsOnce). That needs no history, so each turn at infinity only
-// has to be known.
+// Flips. An edge that contradicts 2 is replaced by the other diagonal, and the faces around are
+// checked again (Lawson, Software for C1 surface interpolation, 1977: for points this ends with the
+// Delaunay graph, from any triangulation). The result is proved by the same conditions, for new and
+// old faces alike; its history does not matter. If a face at infinity has been flipped, it has no
+// former normal: then condition 3 is that the normals of the whole hull make one turn, which is
+// tested exactly (Proof::hullTurnsOnce). This needs no history, only that each turn at infinity is
+// known.
 //
 // Flips can get stuck: in a set with weights the other diagonal may have no circles (Edelsbrunner
 // and Shah, Incremental topological flipping works for regular triangulations, 1996), as where a
