@@ -155,7 +155,7 @@ class Search {
     return distance;
   }
 
-  /// Is the foot of every point within this angle of the given one on the arc?
+  /// Do all points within the distance `reach` of `place` have their feet on the arc?
   static bool hasFeet(const Arc& arc, const Direction& place, double reach) {
     return dot(arc.fromA, place - arc.a) > reach && dot(arc.fromB, place - arc.b) > reach;
   }
