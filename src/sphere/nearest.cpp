@@ -33,7 +33,7 @@ namespace {
 
 constexpr int kManyNeighbors = 24;
 
-/// delta, in radians: of a cap that has lost so much (Projection::Image) in some roundings.
+/// delta, in radians, for a cap with this loss of accuracy (Projection::Image).
 double roundingOf(double loss) { return 4 * (loss + 1) * 0x1p-53; }
 
 class SphericalWalk {
