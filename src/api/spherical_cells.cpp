@@ -1,4 +1,4 @@
-// The cells of SphericalDiagram: measures, polygons, and what a new one would take of them.
+// The cells of SphericalDiagram: measures, polygons, and the parts that a new cell would take.
 #include <cmath>
 #include <limits>
 #include <numbers>

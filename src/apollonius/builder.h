@@ -1,6 +1,6 @@
-// Building a diagram of many sites in steps, or reading a snapshot, for a thread that must not be
-// busy for long: a page goes on to answer meanwhile. The same result as insertMany and fromBytes of
-// the diagram, in about the time.
+// Builds a diagram of many sites in steps, or reads a snapshot, for a thread that must not be busy
+// for long: a page stays responsive meanwhile. Result and time are those of the diagram's
+// insertMany and fromBytes.
 #pragma once
 
 #include <cstddef>
@@ -31,20 +31,20 @@ class APOLLONIUS_EXPORT BuilderOf {
   /// Makes room for this many sites that will be added. Errors: kOutOfMemory, kTooLarge.
   [[nodiscard]] Error reserve(std::size_t count);
 
-  /// Adds triples. Errors: as insertMany of the diagram; kBadLength (no multiple of 3): then none
-  /// of these has been added. REQUIRES: advance() has not been called.
+  /// Adds triples. Errors: as insertMany of the diagram; kBadLength (no multiple of 3). After an
+  /// error none of these has been added. REQUIRES: advance() has not been called.
   [[nodiscard]] Error add(std::span<const double> sites);
 
   /// Takes the bytes of a snapshot instead, as fromBytes() of the diagram. Errors: kOutOfMemory.
   /// REQUIRES: nothing has been added.
   [[nodiscard]] Error read(std::vector<std::uint8_t> bytes, Source source = Source::kAnyone);
 
-  /// Goes on by about this many steps, each of about a microsecond (reading a snapshot of the plane
-  /// without proving it takes three); `isDone` tells whether that was all. Errors: kOutOfMemory,
-  /// kCorruptSnapshot, and then again, whatever memory there is.
+  /// Goes on by about this many steps, each of about a microsecond (three when it reads a snapshot
+  /// of the plane without proving it); `isDone` tells whether all is done. Errors: kOutOfMemory,
+  /// kCorruptSnapshot; later calls return the same error, whatever memory there is.
   [[nodiscard]] Error advance(std::size_t steps, bool& isDone);
 
-  /// How much of the work is done, from 0 to 1; never falls.
+  /// Share of the work that is done, from 0 to 1; never falls.
   [[nodiscard]] double progress() const noexcept;
 
  private:

@@ -6,18 +6,18 @@
 // operations, or on the platform.
 //
 // Algorithm: Karavelas and Yvinec, "Dynamic Additively Weighted Voronoi Diagrams in 2D" (the paper
-// below); predicates and the canonical rule for degenerate input: docs/PREDICATES.md. Units:
-// whatever the coordinates are in; y points up; "counter-clockwise" assumes that. Of identical
-// circles the one with the least id is visible, whatever the history. Costs: h =
-// number of visible sites, d = number of neighbours of the site in question.
+// below); predicates and the canonical rule for degenerate input: docs/PREDICATES.md. Units: those
+// of the coordinates. "Counter-clockwise" is meant with y up; on a screen, where y points down, it
+// looks clockwise. Of identical circles the one with the least id is visible, whatever the history.
+// Costs: h = number of visible sites, d = number of neighbours of the site in question.
 //
 // Errors: no call throws, except the constructor (std::bad_alloc). A call that fails returns its
 // Error and leaves the diagram as it was. Not thread-safe: one thread at a time, also for queries
 // (they share scratch memory).
 //
-// Arithmetic has to be IEEE 754's, rounded to nearest, with subnormals: a program that is linked
-// with -ffast-math, for one, lacks them. The constructor looks, and ends the program with a message
-// if it is not so.
+// Arithmetic must be IEEE 754's, rounded to nearest, with subnormals: a program that is linked with
+// -ffast-math, for one, lacks them. The constructor checks this, and ends the program with a
+// message if it does not hold.
 #pragma once
 
 #include <cstddef>
@@ -36,16 +36,16 @@ namespace apollonius {
 
 enum class Error : std::uint8_t {
   kNone = 0,
-  kNotFinite,    ///< a NaN or an infinity was given
-  kOutOfRange,   ///< a magnitude above kLargestMagnitude (below kSmallestMagnitude: taken as 0)
-  kUnknownSite,  ///< no site has this id
-  kBadLength,    ///< lengths of arrays do not fit each other, or are no multiple of the record's
-  kOutOfMemory,  ///< memory ran out
-  kTooLarge,     ///< more than kMostSites sites
-  kBadBounds,    ///< a window that is empty, inverted, not finite or out of range
-                 ///< (apollonius/voronoi.h)
-  kCorruptSnapshot,  ///< bytes that are no snapshot, or none of a version that is known, or a
-                     ///< damaged or forged one; also of calls that find out that trusted bytes were
+  kNotFinite,        ///< a NaN or an infinity was given
+  kOutOfRange,       ///< a magnitude above kLargestMagnitude (below kSmallestMagnitude: taken as 0)
+  kUnknownSite,      ///< no site has this id
+  kBadLength,        ///< lengths of arrays do not match, or are no multiple of the record's
+  kOutOfMemory,      ///< memory ran out
+  kTooLarge,         ///< more than kMostSites sites
+  kBadBounds,        ///< a window that is empty, inverted, not finite or out of range
+                     ///< (apollonius/voronoi.h)
+  kCorruptSnapshot,  ///< the bytes are no snapshot, have an unknown version, or are damaged or
+                     ///< forged; also returned by calls that find this out about trusted bytes
   kBadTarget,        ///< an area that no cell can have, or a cell that can have none
                      ///< (apollonius/area_fit.h)
   kNoConvergence,    ///< weights for given areas were not found (apollonius/area_fit.h)
@@ -62,8 +62,8 @@ struct Circle {
   double r;
 };
 
-/// The smallest circle around all circles, and the sites that touch it from inside, ascending; of
-/// an empty diagram, none, and the radius is -infinity.
+/// The smallest circle around all circles, and the sites that touch it from inside, ascending. For
+/// an empty diagram there are no sites, and the radius is -infinity.
 struct EnclosingCircle {
   double x = 0;
   double y = 0;
@@ -125,7 +125,7 @@ class APOLLONIUS_EXPORT Diagram {
   [[nodiscard]] std::size_t hiddenSize()
       const noexcept;  ///< sites without one (the paper's trivial sites)
   [[nodiscard]] bool has(SiteId id) const noexcept;
-  /// How many ids were ever used: all are below.
+  /// Number of ids that were ever used. All ids are below it.
   [[nodiscard]] std::size_t idLimit() const noexcept;
   [[nodiscard]] Error site(SiteId id, Circle& circle) const noexcept;  ///< Errors: kUnknownSite
   [[nodiscard]] Error ids(
@@ -154,8 +154,8 @@ class APOLLONIUS_EXPORT Diagram {
   [[nodiscard]] Error find(double x, double y, double maxDistance, SiteId& id,
                            double& distance) const;
 
-  /// find for xy.size()/2 points. `distances` may be empty, else it has one element a point.
-  /// Errors: as find; kBadLength if the sizes do not fit.
+  /// find for xy.size()/2 points. `distances` may be empty, else it has one element for each point.
+  /// Errors: as find; kBadLength if the sizes do not match.
   [[nodiscard]] Error findMany(std::span<const double> xy, double maxDistance,
                                std::span<SiteId> ids, std::span<double> distances) const;
   [[nodiscard]] Error findMany(std::span<const double> xy, std::span<SiteId> ids,
@@ -165,9 +165,9 @@ class APOLLONIUS_EXPORT Diagram {
 
   /// The k nearest sites of a point, hidden ones too, nearest first, of those at a distance of at
   /// most `maxDistance` (negative: that deep inside; infinity: all); ties as in find, identical
-  /// circles ascending by id. All sites if there are fewer. Exact, boundary included. Replaces the
-  /// contents. Errors: as find. Cost: one location and O(m log m), m = the neighbours of the sites
-  /// found.
+  /// circles ascending by id. If there are fewer than k, all of them. Exact, the limit included.
+  /// Replaces the contents. Errors: as find. Cost: one location and O(m log m), m = the neighbours
+  /// of the sites found.
   [[nodiscard]] Error kNearest(double x, double y, std::size_t k, double maxDistance,
                                std::vector<SiteId>& sites) const;
   [[nodiscard]] Error kNearest(double x, double y, std::size_t k,
@@ -175,8 +175,8 @@ class APOLLONIUS_EXPORT Diagram {
     return kNearest(x, y, k, std::numeric_limits<double>::infinity(), sites);
   }
 
-  /// All sites at a distance of at most `distance`; 0 gives the circles that contain the point. As
-  /// kNearest.
+  /// All sites at a distance of at most `distance`, in the order of kNearest; 0 gives the circles
+  /// that contain the point. Errors and cost: as kNearest.
   [[nodiscard]] Error within(double x, double y, double distance,
                              std::vector<SiteId>& sites) const {
     return kNearest(x, y, size(), distance, sites);
@@ -218,10 +218,10 @@ class APOLLONIUS_EXPORT Diagram {
   /// kUnknownSite, kOutOfMemory. Cost: O(d).
   [[nodiscard]] Error neighbors(SiteId id, std::vector<SiteId>& neighbors) const;
 
-  /// The distinct sites from whose cells a new circle would take something; if one covers it, only
-  /// that one, and `isCovered`. The diagram stays as it is. Replaces the contents. Errors:
+  /// The distinct sites from whose cells a new circle would take a part; if a site covers it, only
+  /// that one, and `isCovered` is true. The diagram stays as it is. Replaces the contents. Errors:
   /// kNotFinite, kOutOfRange, kOutOfMemory. Cost: location, the degree of the nearest site, and the
-  /// size of what would change.
+  /// size of the change.
   [[nodiscard]] Error conflict(double x, double y, double r, std::vector<SiteId>& sites,
                                bool& isCovered) const;
 
@@ -233,9 +233,9 @@ class APOLLONIUS_EXPORT Diagram {
   [[nodiscard]] Error vertices(VertexArrays& vertices) const;
   [[nodiscard]] Error edges(
       EdgeArrays& edges) const;  ///< Replaces the contents. Errors: kOutOfMemory. Cost: O(h)
-  /// The place of least clearance on each edge, and that clearance; row k belongs to edge k of
-  /// edges(), and there are no sites. It is between the two circles, on the segment of their
-  /// centres, or else an end. Replaces the contents. Errors: kOutOfMemory. Cost: O(h)
+  /// The point of least clearance on each edge, and that clearance; row k belongs to edge k of
+  /// edges(), and `sites` is empty. The point is on the segment between the two centres if the edge
+  /// crosses it, else it is an end. Replaces the contents. Errors: kOutOfMemory. Cost: O(h)
   [[nodiscard]] Error narrowest(VertexArrays& places) const;
 
   /// The faces of the Delaunay graph, three sites each, counter-clockwise, kNoSite for infinity:
@@ -249,10 +249,10 @@ class APOLLONIUS_EXPORT Diagram {
   /// Replaces the contents. Errors: kOutOfMemory. Cost: O(length).
   [[nodiscard]] Error hull(std::vector<SiteId>& sites) const;
 
-  /// On how many levels of the hierarchy each site is (paper, section 4), by id: the site at
-  /// levels[id] = k is on levels 0, the diagram itself, to k - 1; 0 for a hidden site and for an id
-  /// that is not in use. All visible sites have 1 where Location::kWalk was chosen. Replaces the
-  /// contents. Errors: kOutOfMemory. Cost: O(n)
+  /// Number of levels of the hierarchy that each site is on (paper, section 4), by id: a site with
+  /// levels[id] = k is on levels 0, the diagram itself, to k - 1. 0 for a hidden site and for an id
+  /// that is not in use; 1 for all visible sites with Location::kWalk. Replaces the contents.
+  /// Errors: kOutOfMemory. Cost: O(n)
   [[nodiscard]] Error levels(std::vector<std::uint8_t>& levels) const;
 
   // --- Snapshots (docs/SNAPSHOTS.md)
@@ -290,8 +290,8 @@ class APOLLONIUS_EXPORT Diagram {
     return Error::kNone;
   }
 
-  /// A number of its own for each set of sites that any diagram of the process has had: the same as
-  /// long as nothing changes.
+  /// Number of this state: it changes with every change, and no other state of any diagram of the
+  /// process has the same.
   [[nodiscard]] std::uint64_t revision() const noexcept { return state_; }
 
  private:

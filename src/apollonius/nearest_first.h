@@ -17,7 +17,7 @@ class SphericalDiagram;
 template <class AnyDiagram>
 class APOLLONIUS_EXPORT NearestFirstOf {
  public:
-  /// Nothing is found before start().
+  /// Finds nothing before start().
   explicit NearestFirstOf(const AnyDiagram& diagram) noexcept;
   ~NearestFirstOf();
   NearestFirstOf(NearestFirstOf&&) noexcept;

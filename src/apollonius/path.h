@@ -1,5 +1,5 @@
-// A drawing as data: commands and their coordinates, in the words that canvas, SVG and d3-path
-// share. Whoever holds one can play it into any of those. Standard types only: users get it with
+// A drawing as data: commands and their coordinates, those that canvas, SVG and d3-path have in
+// common, so that it can be replayed into any of these. Standard types only: users get it with
 // apollonius/voronoi.h.
 #pragma once
 

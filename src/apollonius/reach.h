@@ -1,5 +1,5 @@
-// How far cells reach: cut at a distance from the circles of their sites, they grow until they meet
-// or have come so far.
+// Limits of cells: a cell ends at a distance from the circle of its site, unless it ends at another
+// cell before.
 #pragma once
 
 #include <algorithm>
@@ -12,8 +12,9 @@
 
 namespace apollonius {
 
-/// In units of the sites; a negative distance ends inside the circle, infinity nowhere. All others
-/// are in the range of coordinates, or calls that use it return an error (apollonius/voronoi.h).
+/// Distances in the unit of the sites; a negative one ends inside the circle, infinity is no limit.
+/// Others must be in the range of coordinates, or calls that use the reach return an error
+/// (apollonius/voronoi.h).
 class Reach {
  public:
   /// Sets no limit.

@@ -1,4 +1,4 @@
-// The words that the public interface and the diagram share: ids, ways of location, arrays out.
+// Types that the public interface and the diagram share: ids, ways of location, arrays of results.
 // Plain standard types; users get them with apollonius/diagram.h.
 #pragma once
 
@@ -19,7 +19,7 @@ inline constexpr std::size_t kMostSites = std::size_t{1} << 29;
 /// Numbers of a smaller magnitude are taken as 0, those of a larger one are errors.
 inline constexpr double kSmallestMagnitude = 1e-100;
 inline constexpr double kLargestMagnitude = 1e100;
-/// As which number is one taken that is given to a call? Also -0 as 0.
+/// The number that is used for one given to a call. Also turns -0 into 0.
 constexpr double taken(double value) {
   return -kSmallestMagnitude < value && value < kSmallestMagnitude ? 0.0 : value;
 }
@@ -37,7 +37,7 @@ struct Violation {
   std::uint32_t level = 0;     ///< level of the hierarchy (0 is the diagram itself)
 
   [[nodiscard]] bool isFound() const { return what != nullptr; }
-  /// In words; empty if there is none. Throws std::bad_alloc.
+  /// The violation in words; empty if there is none. Throws std::bad_alloc.
   [[nodiscard]] std::string text() const {
     if (what == nullptr) return {};
     const std::string found = what + (' ' + std::to_string(where));

@@ -10,7 +10,7 @@
 // w > 1 for a hyperbola; w = 0 for a straight segment. Where two cells meet, both have the same
 // curve, bit for bit; and all numbers are the same bits natively and as WebAssembly. In a
 // rectangle, curves have the same bits after any history, too, and a cell has them in the same
-// order; in other windows they do but where a ring passes through a Voronoi vertex. Drawings and
+// order; in other windows, too, except where a ring passes through a Voronoi vertex. Drawings and
 // sums (areas, centroids, lengths) may differ in the last places.
 //
 // The window is a rectangle, or of any shape (apollonius/region.h). A rectangle is convex and a
@@ -18,9 +18,9 @@
 // is in the window, perhaps several if not. In other windows parts have holes. What only touches
 // the window is not in it.
 //
-// Like apollonius/diagram.h: no call throws; a failed one returns its Error. A Region keeps what it
-// has found out about the diagram that it was last used with. A Voronoi is a view: it shows the
-// diagram as it is at each call, and must not outlive it.
+// As in apollonius/diagram.h, no call throws; a failed one returns its Error. A Region caches its
+// crossings with the diagram that it was last used with. A Voronoi is a view: it shows the diagram
+// as it is at each call, and must not outlive it.
 #pragma once
 
 #include <cstddef>
@@ -58,7 +58,7 @@ struct EdgeGraph {
   /// three sites is one row, and three of these are named.
   VertexArrays vertices;
   EdgeArrays edges;  ///< none is unbounded
-  /// As Diagram::narrowest, of these edges.
+  /// As Diagram::narrowest, for these edges.
   VertexArrays narrowest;
 };
 
@@ -100,7 +100,7 @@ struct NaturalWeights {
   std::vector<double> weights;
 };
 
-/// A tolerance for drawings in a window that is too small to be seen: 2^-13 of its diagonal.
+/// A tolerance for drawings that is too small to be seen: 2^-13 of the window's diagonal.
 [[nodiscard]] APOLLONIUS_EXPORT double defaultTolerance(const Bounds& bounds);
 
 /// The largest aspect of an ellipse inside; 1 / kMostAspect is the smallest.
@@ -116,16 +116,17 @@ inline constexpr double kMostAspect = 1000;
 
 class APOLLONIUS_EXPORT Voronoi {
  public:
-  // With a reach, which must live as long, cells end at these distances from their sites' circles:
-  // in all that is said of cells below, and edges are what two of them share. Calls return
-  // kNotFinite or kOutOfRange if it has such a distance, kBadLength if it has none for an id.
+  // With a reach, which must live as long, all cells below end at its distances from their sites'
+  // circles, and edges are what two of these cells share. Calls return kNotFinite or kOutOfRange if
+  // the reach has such a distance, kBadLength if it has none for an id.
   explicit Voronoi(const Diagram& diagram, const Bounds& bounds = {}, const Reach* reach = nullptr)
       : diagram_(diagram),
         bounds_{taken(bounds.xmin), taken(bounds.ymin), taken(bounds.xmax), taken(bounds.ymax)},
         reach_(reach) {}
-  /// In a region, which must live as long. The first call after either has changed costs
-  /// O(h), and about the logarithm of its degree for each cell that a side passes through. Sides
-  /// that are about as near to many cells as to the border of theirs cost that number each.
+  /// The window is a region, which must live as long. The first call after region or diagram has
+  /// changed costs O(h), and about the logarithm of its degree for each cell that a side passes
+  /// through. A side that is about as near to many cells as to the border of its own costs their
+  /// number.
   Voronoi(const Diagram& diagram, const Region& region, const Reach* reach = nullptr)
       : diagram_(diagram), bounds_(region.box()), region_(&region), reach_(reach) {}
 
@@ -157,8 +158,8 @@ class APOLLONIUS_EXPORT Voronoi {
   /// a defect of the library (after a trusted snapshot kCorruptSnapshot, a defect of its bytes).
   /// Cost: O(n) for sites spread evenly, less than a loop of cellPolygon.
   [[nodiscard]] Error cellPolygons(double tolerance, CoverageArrays& coverage) const;
-  /// Those of the sites with ids from `first` to before `end`, each as cellPolygon() gives it: many
-  /// at a time, but not all at once.
+  /// The polygons of the sites with ids from `first` to before `end`, each as cellPolygon() gives
+  /// it: many at a time, but not all at once.
   [[nodiscard]] Error cellPolygonsBetween(SiteId first, SiteId end, double tolerance,
                                           CoverageArrays& polygons) const;
   /// Area and centroid; cellMeasures() takes several times as long, for the perimeter.
@@ -173,44 +174,44 @@ class APOLLONIUS_EXPORT Voronoi {
   /// The perimeter of every cell, by id; 0 for ids without one. Cost: O(h)
   [[nodiscard]] Error cellPerimeters(std::vector<double>& perimeters) const;
 
-  // Circles inside, and empty ones. Errors also: kNoConvergence if a border that comes back to
-  // itself but for rounding keeps the search from ending.
+  // Circles inside, and empty ones. Errors also: kNoConvergence if a border that touches itself up
+  // to rounding keeps the search from ending.
 
   /// The largest circle inside a cell: r is at least 0.999 of the largest possible, and the circle
-  /// is inside but for rounding. NaN if no part of the cell is in the window. With another aspect
-  /// than 1, the largest ellipse that is as many times as wide as high: r is half its height.
+  /// is inside up to rounding. NaN if no part of the cell is in the window. With an aspect other
+  /// than 1, the largest ellipse whose width is this many times its height: r is half its height.
   /// Errors also: kNotFinite, kOutOfRange unless the aspect is from 1 / kMostAspect to kMostAspect.
-  /// Cost: O(d log d), with a constant of some ten looks, of some thousand in long thin rings.
+  /// Cost: O(d log d), with a constant of some ten looks, or some thousand in long thin rings.
   [[nodiscard]] Error cellCircle(SiteId id, double aspect, Circle& circle) const;
-  /// Those of the sites with ids from `first` to before `end`, x, y and r of each; NaN for ids
-  /// without one. Cost: that of cellCircle() for each.
+  /// The circles of the sites with ids from `first` to before `end`, x, y and r of each; NaN for
+  /// ids without one. Cost: that of cellCircle() for each.
   [[nodiscard]] Error cellCirclesBetween(SiteId first, SiteId end, double aspect,
                                          std::vector<double>& circles) const;
   /// The `most` largest circles that no site reaches into, with their centres in the window, the
-  /// largest first, none of which has its centre in one before it: centre, the distance to the
-  /// nearest site (below 0 where sites cover the window), and that one site a row. With `inside`,
-  /// those that do not cross the window's border: these are chosen from the circles about Voronoi
-  /// vertices and the largest one of each cell at the border, whose r is at least 0.999 of the
-  /// largest possible. A reach does not matter. Cost: O(n (log n + most)); with `inside` also that
-  /// of cellCircle() for each cell at the border that is searched.
+  /// largest first, none with its centre in one before it. Each row has the centre, the distance to
+  /// the nearest site (below 0 if sites cover the window), and one site, the nearest. With
+  /// `inside`, only circles that do not cross the window's border: they are chosen from the circles
+  /// about Voronoi vertices and the largest one of each cell at the border, whose r is at least
+  /// 0.999 of the largest possible. A reach is ignored. Cost: O(n (log n + most)); with `inside`
+  /// also that of cellCircle() for each cell at the border that is searched.
   [[nodiscard]] Error emptyCircles(std::size_t most, bool inside, VertexArrays& circles) const;
 
-  /// The natural neighbours of a new circle (Sibson): from which cells in the window it would take
-  /// something, and which share of its own from each. One that covers it is the only one. None
-  /// without sites, and where the new cell would have no part in the window. The diagram stays as
-  /// it is; a reach does not matter. Errors also: kNotFinite, kOutOfRange. Cost: location, and
-  /// O(s), s the size of what would change; at the border of a region also O(points of the region)
-  /// and a diagram of the natural neighbours.
+  /// The natural neighbours of a new circle (Sibson): the sites from whose cells in the window it
+  /// would take a part, and each part's share of the new cell. A site that covers it is the only
+  /// one. None without sites, or if the new cell would have no part in the window. The diagram
+  /// stays as it is; a reach is ignored. Errors also: kNotFinite, kOutOfRange. Cost: location, and
+  /// O(s), s the size of the change; at the border of a region also O(points of the region) and a
+  /// diagram of the natural neighbours.
   [[nodiscard]] Error naturalWeights(double x, double y, double r, NaturalWeights& found) const;
-  /// Values of a field at points x, y, …: what naturalWeights() says for circles of radius r, with
-  /// `values` by id. NaN outside of the window and without sites. Fills `results`, one for each
-  /// point. Errors also: kNotFinite, kOutOfRange, kBadLength unless there is a value for each id
-  /// that was ever used and a result for each point. Cost: as naturalWeights(), but for the
-  /// location: points are visited along a curve.
+  /// Values of a field at points x, y, …: sums of `values`, given by id, times the naturalWeights()
+  /// of a circle of radius r there. NaN outside of the window and without sites. Fills `results`,
+  /// one for each point. Errors also: kNotFinite, kOutOfRange, kBadLength unless there is a value
+  /// for each id that was ever used and a result for each point. Cost: as naturalWeights(), with
+  /// less for location, as points are visited along a curve.
   [[nodiscard]] Error interpolate(std::span<const double> values, std::span<const double> xy,
                                   double r, std::span<double> results) const;
 
-  /// The box of all circles (of centres, where radii are below 0), a little larger if it would be
+  /// The box of all circles (for negative radii, of their centres), a little larger if it would be
   /// empty: for drawings without a window.
   [[nodiscard]] static Bounds extentOf(const Diagram& diagram);
 
@@ -233,7 +234,7 @@ class APOLLONIUS_EXPORT Voronoi {
   [[nodiscard]] Error drawHull(double tolerance, Path& path) const;
 
  private:
-  [[nodiscard]] std::uint32_t slotOf(SiteId id) const;  // where the core has it
+  [[nodiscard]] std::uint32_t slotOf(SiteId id) const;  // in the core
   [[nodiscard]] Error windowError() const;
   [[nodiscard]] Error siteError(SiteId id) const;
   /// Runs the operation unless there is an error before; turns lack of memory into an error.

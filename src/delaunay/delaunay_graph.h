@@ -3,8 +3,8 @@
 // smaller ones for location (hierarchy.h); deletions build a scratch one of a site's neighbours
 // (remove.h).
 //
-// Vertices are the caller's numbers (1, 2, …; 0 is infinity): whoever inserts a site says which
-// vertex it becomes.
+// Vertices are the caller's numbers (1, 2, …; 0 is infinity): the caller that inserts a site
+// chooses its vertex.
 #pragma once
 
 #include <cstddef>
@@ -23,8 +23,8 @@
 
 namespace apollonius::internal {
 
-/// How a walk to the nearest site looks for a nearer one: among all neighbours (paper, section 4,
-/// procedure NearestNeighbor), or only in the direction of the point.
+/// How a walk to the nearest site searches for a nearer one: among all neighbours (paper, section
+/// 4, procedure NearestNeighbor), or only in the direction of the point.
 enum class Walk : unsigned char { kAllNeighbors, kSectors };
 
 class Proof;
@@ -38,7 +38,7 @@ class DelaunayGraph {
   [[nodiscard]] bool isVisible(VertexId v) const {
     return graph_.hasVertex(v) || (visibleCount_ == 1 && v == recent_);
   }
-  /// Some visible vertex, the one of the last change as a rule; kNoVertex if there is none.
+  /// Some visible vertex, usually that of the last change; kNoVertex if there is none.
   [[nodiscard]] VertexId anyVisible() const { return recent_; }
   [[nodiscard]] const Site& site(VertexId v) const { return sites_[index(v)]; }
   [[nodiscard]] Corner corner(VertexId v) const { return v == kInfinity ? nullptr : &site(v); }
@@ -62,13 +62,13 @@ class DelaunayGraph {
   /// Is the Voronoi edge dual to h a point, because both its ends are one vertex of more than three
   /// sites? Exact.
   [[nodiscard]] bool isPoint(HalfedgeId h) const;
-  /// A face's vertex for output: precise, the same bits after any history, and the same for all
-  /// faces of which it is the vertex, where more than three sites touch one circle. A half-plane as
-  /// circle() has it.
+  /// A face's vertex for output: precise, with the same bits after any history. Where more than
+  /// three sites touch one circle, all faces of that vertex get the same bits. A half-plane is that
+  /// of circle().
   [[nodiscard]] VoronoiCircle voronoiVertex(FaceId f) const;
   [[nodiscard]] bool isFaceInConflict(FaceId f, const Site& q) const {
     const MaybeSign filtered =
-        circleFilter(cachedCircle(f), q);  // settles nearly all; no corner is looked up
+        circleFilter(cachedCircle(f), q);  // decides nearly all cases without looking up a corner
     stages::counts().vertexAtOnce += filtered.known;
     return filtered.known && !kShadowCheck ? filtered.sign == Sign::kPositive
                                            : isFaceInConflictByCorners(f, q);
@@ -80,27 +80,28 @@ class DelaunayGraph {
     HalfedgeId sector = kNoHalfedge;  ///< the half-edge there whose range of directions holds the
                                       ///< point; kNoHalfedge if that is not known
   };
-  /// Walks from `start`, as of insert(). REQUIRES: a visible site.
+  /// Finds the nearest site by a walk from `start`, as insert() does. REQUIRES: a visible site.
   [[nodiscard]] Located locate(double x, double y, VertexId start,
                                Walk walk = Walk::kSectors) const;
 
   // --- Changing: each either succeeds or throws std::bad_alloc and has changed nothing
 
-  /// Room for vertices of index < slots.
+  /// Makes room for vertices of index < slots.
   void reserve(std::size_t slots);
-  /// Room for the sites of vertices of index < slots.
+  /// Makes room for the sites of vertices of index < slots.
   void reserveSites(std::size_t slots) {
     if (sites_.size() < slots) sites_.resize(slots);
   }
-  /// Room for the faces of this many more visible sites, in one piece.
+  /// Makes room for the faces of this many more visible sites, in one piece.
   void reserveBulk(std::size_t sites);
 
   /// Writes the site of a vertex that is not visible, so that remove() can consider it. REQUIRES:
   /// reserve or reserveSites.
   void setSite(VertexId v, const Site& site) { sites_[index(v)] = site; }
 
-  /// Finds the conflict region of q, walking there from a visible site, or returns the site that
-  /// covers q, which has none; else kNoVertex. REQUIRES: at least two visible sites.
+  /// Finds the conflict region of q by a walk from a visible site, and returns kNoVertex; or
+  /// returns the site that covers q, which then has no region. REQUIRES: at least two visible
+  /// sites.
   [[nodiscard]] VertexId findConflict(ConflictSearch& conflicts, const Site& q, VertexId start,
                                       Walk walk) const;
 
@@ -111,60 +112,60 @@ class DelaunayGraph {
     std::size_t mostCovered;  ///< at most this many visible sites get hidden
     std::size_t returnRoom;   ///< to reserve (reserveReturn) if it may have to be removed again
   };
-  /// Finds where the site of v (setSite) belongs, and makes all room that inserting it takes. Walks
-  /// there from `start`, or from some visible vertex if that is not one: starts are hints, kept by
-  /// others (diagram/location_index.h). Paper, section 3. REQUIRES: v is not visible.
+  /// Finds where the site of v (setSite) belongs, and makes all room for inserting it. Walks there
+  /// from `start`, or from some visible vertex if that is not one: starts are hints, which
+  /// diagram/location_index.h keeps. Paper, section 3. REQUIRES: v is not visible.
   [[nodiscard]] Insertion prepareInsertion(VertexId v, VertexId start, Walk walk = Walk::kSectors);
   /// Prepares instead that the site of v takes the place of an identical one, which is the cover
   /// that prepareInsertion() has found. Cost: the degree.
   [[nodiscard]] Insertion prepareReplacing(VertexId v, VertexId twin);
-  /// Inserts it. Returns the vertices that are visible no more, as the site covers them; valid
-  /// until the next change. REQUIRES: prepareReplacing() of v was the last call, or
-  /// prepareInsertion(), which found no cover.
+  /// Inserts the site prepared. Returns the vertices that it hides; valid until the next change.
+  /// REQUIRES: prepareReplacing() of v was the last call, or prepareInsertion(), which found no
+  /// cover.
   std::span<const VertexId> insertPrepared(VertexId v) noexcept;
-  /// Both, for who has nothing to do in between.
+  /// Prepares and inserts.
   void insert(VertexId v, VertexId start, Walk walk = Walk::kSectors) {
     if (prepareInsertion(v, start, walk).cover == kNoVertex) (void)insertPrepared(v);
   }
 
-  /// Takes v out and fills its star with a patch, whose faces have these circles and in which so
-  /// many new sites are (Graph::replaceStar has the rest). With `mayReturn`, all room is made that
-  /// it takes to insert v again.
+  /// Removes v and fills its star with a patch, whose faces have these circles, and which has
+  /// `newSites` new sites (for the rest see Graph::replaceStar). With `mayReturn`, makes all room
+  /// for inserting v again.
   void replaceStar(VertexId v, std::span<const HalfedgeId> link,
                    std::span<const Graph::PatchFace> patch, std::span<const VoronoiCircle> circles,
                    std::size_t newSites, bool mayReturn);
-  /// This vertex, or none for kNoVertex, is all that remains visible.
+  /// Makes this vertex the only visible one; none for kNoVertex.
   void becomeSingle(VertexId v) noexcept;
 
-  /// The circle of a face whose corners have moved, which is known already or is to be computed.
+  /// Replaces or computes the circle of a face whose corners have moved.
   void swapCircle(FaceId f, VoronoiCircle& circle) { std::swap(circles_[index(f)], circle); }
   void computeCircle(FaceId f) const;
-  /// Graph::flip(); the circles are still those of the faces that were.
+  /// Flips an edge (Graph::flip()); the circles are still those of the former faces.
   void flip(HalfedgeId h) { graph_.flip(h); }
-  /// The graph is again what it was, or is kept if that is empty; the circles are to be computed.
-  /// Needs no memory. REQUIRES: an empty graph, or one that has been this one's.
+  /// Restores a former graph, or keeps the present one if `graph` is empty; then circles have to be
+  /// computed. Needs no memory. REQUIRES: an empty graph, or a former one of this object.
   void restoreGraph(const Graph& graph) noexcept;
 
-  /// Room for searches and changes of this many faces and sides that need none for new faces, as
-  /// they undo others.
+  /// Makes room for searches and changes of this many faces and sides. Room for new faces is left
+  /// out, as the changes undo others.
   void reserveReturn(std::size_t facesAndSides);
 
   /// Forgets all sites but keeps the room.
   void clear() noexcept;
 
-  /// Snapshots (snapshot.cpp): everything but the sites, which are set before
-  /// restore(). That fails if what is read is no surface, and the graph is then unusable; a proof
-  /// says whether it is the diagram of the sites.
+  /// Snapshots (snapshot.cpp): everything except the sites, which are set before restore(). That
+  /// fails if the data are no surface, and the graph is then unusable; a proof tells whether it is
+  /// the diagram of the sites.
   void save(WordWriter& out, std::size_t vertexSlots) const;
   [[nodiscard]] bool restore(WordReader& in, std::size_t faceSlots);
-  /// The proof that it is the Delaunay graph of its sites (proof.h), which computes the circles of
-  /// all faces. Nothing else may be done until it has ended. Throws std::bad_alloc.
+  /// Begins the proof that the graph is the Delaunay graph of its sites (proof.h), which computes
+  /// the circles of all faces. Nothing else may be done until endProof(). Throws std::bad_alloc.
   [[nodiscard]] Proof beginProof();
-  /// Is it proved?
+  /// Ends the proof. True if the graph is proved.
   [[nodiscard]] bool endProof(const Proof& proof);
 
-  // A restored graph that has not been proved may be anything on a closed surface. Walks end and
-  // stay in the arrays there; what would not is demanded before an operation commits.
+  // A restored graph that has not been proved may be any graph on a closed surface. Walks in it end
+  // and stay within the arrays; all else that operations rely on is checked before they commit.
   [[nodiscard]] bool isProven() const { return isProven_; }
   /// Has the graph turned out not to be that of its sites? Then it is unusable until clear().
   [[nodiscard]] bool isBroken() const { return isBroken_; }
@@ -191,7 +192,7 @@ class DelaunayGraph {
   [[nodiscard]] Insertion prepareCoveringAll(VertexId v);
   [[nodiscard]] bool isSameVertex(HalfedgeId h) const;
   void markCorrupt(const char* name) const;
-  /// Room for an operation on the graph, newFaces_ and newCircles_ included.
+  /// Makes room for an operation on the graph, newFaces_ and newCircles_ included.
   void reserveFaces(std::size_t removed, std::size_t created);
   [[nodiscard]] std::span<FaceId> newFaces(std::size_t created) {
     return {newFaces_.data(), created};

@@ -4,11 +4,10 @@
 // Three consecutive corners a, b, c of the polygon are an ear if their Voronoi circle exists, is in
 // conflict with the removed site (so it lies in the cell that becomes free) and with no other
 // corner. Then it is a vertex of the new diagram: there, only the neighbours matter. A polygon of m
-// corners takes m - 2 faces, and the new diagram has as many there; so if clipping comes to an end,
-// the faces are those of the new diagram. They fit together in one way only, for the corners are
-// pairwise different: then a pair of corners is at most one chord. (Sites that are neighbours of
-// the removed one several times, and sites that it had hidden, are for the small diagram of
-// remove.h.)
+// corners takes m - 2 faces, and the new diagram has as many there; so if clipping ends, the faces
+// are those of the new diagram. They fit together in one way only, as the corners are pairwise
+// different: then a pair of corners is at most one chord. (Sites that are neighbours of the removed
+// one several times, and sites that it had hidden, are left to the small diagram of remove.h.)
 #pragma once
 
 #include <cstdint>
@@ -21,16 +20,16 @@ namespace apollonius::internal {
 
 class EarClipper {
  public:
-  /// Longer polygons take a time that grows with the square or worse.
+  /// The time for longer polygons grows with the square or worse.
   static constexpr std::size_t kMostCorners = 24;
 
-  /// Fills the hole of v, whose link is given (remove.h). False, if there is not a simple polygon:
-  /// nothing is known then. REQUIRES: v hid no site that becomes visible; a link of at least 3.
+  /// Fills the hole of v, whose link is given (remove.h). False if the link is no simple polygon:
+  /// then there is no result. REQUIRES: v hid no site that becomes visible; a link of at least 3.
   /// Throws std::bad_alloc.
   [[nodiscard]] bool fill(const DelaunayGraph& delaunay, VertexId v,
                           std::span<const HalfedgeId> link);
 
-  /// Room for all that it can do.
+  /// Makes room for the largest polygon.
   void reserve() {
     corners_.reserve(kMostCorners);
     patch_.reserve(kMostCorners);

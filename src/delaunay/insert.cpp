@@ -1,5 +1,5 @@
-// Insertion in the paper's three stages (section 3): nearest site, is the new one covered by it,
-// conflict region and starring.
+// Insertion in the paper's three stages (section 3): location of the nearest site, test whether it
+// covers the new one, conflict region and starring.
 #include <algorithm>
 
 #include "delaunay/delaunay_graph.h"
@@ -10,8 +10,8 @@ namespace apollonius::internal {
 
 VertexId DelaunayGraph::findConflict(ConflictSearch& conflicts, const Site& q, VertexId start,
                                      Walk walk) const {
-  // Often a conflict is found at once, which makes the first two stages superfluous: a covered site
-  // has none.
+  // Often a conflict is found at once. Then the first two stages are superfluous: a covered site
+  // has no conflict.
   if (!conflicts.findBeside(*this, q, start)) {
     const Located near = locate(q.x, q.y, start, walk);
     if (covers(site(near.nearest), q)) return near.nearest;  // Lemma 1
@@ -39,8 +39,8 @@ DelaunayGraph::Insertion DelaunayGraph::prepareInsertion(VertexId v, VertexId st
   const std::span<const HalfedgeId> boundary = conflicts_.boundary();
   for (std::size_t k = 0; k < created; ++k) fan_.setCorner(k, corner(graph_.origin(boundary[k])));
   fan_.compute(q, {newCircles_.data(), created});
-  // As many as the region has cycles: f faces that hang together by e edges have e - f + 1, and 3 f
-  // - 2 e sides.
+  // At most as many as the region has cycles: f faces connected by e edges have e - f + 1 cycles,
+  // and 3 f - 2 e sides.
   const std::size_t covered = removed + 2 > created ? (removed + 2 - created) / 2 : 0;
   return {kNoVertex, created, covered, std::max(created, removed)};
 }
@@ -56,7 +56,7 @@ DelaunayGraph::Insertion DelaunayGraph::prepareBesideOne(VertexId v) {
   return {kNoVertex, 0, 0, 0};
 }
 
-/// The new site covers every visible one: it remains alone.
+/// Prepares a site that covers every visible one: it remains alone.
 DelaunayGraph::Insertion DelaunayGraph::prepareCoveringAll(VertexId v) {
   entry_ = Entry::kCoveringAll;
   covered_.clear();

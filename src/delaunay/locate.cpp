@@ -1,5 +1,5 @@
-// Nearest neighbour location by walking: the paper's way (section 4), which asks all neighbours,
-// and the sector walk, which asks the one in the direction of the point.
+// Nearest neighbour location by walking: the paper's way (section 4), which tests all neighbours,
+// and the sector walk, which tests the one in the direction of the point.
 #include "delaunay/delaunay_graph.h"
 #include "predicate/direction.h"
 #include "predicate/distance.h"
@@ -21,7 +21,7 @@ class Nearest {
   Nearest& operator=(const Nearest&) = delete;
   ~Nearest() { stages::counts().distanceAtOnce += settled_; }
 
-  /// Becomes the candidate if that is nearer.
+  /// Takes the candidate if it is nearer.
   bool improve(const Site& candidate) {
     const ApproxDistance distance(x_, y_, candidate);
     const double gain = distance_.value - distance.value;
@@ -41,13 +41,12 @@ class Nearest {
   unsigned settled_ = 0;
 };
 
-/// Up to this many neighbours are asked one after the other, which is cheaper than finding out
-/// which one to ask.
+/// Up to this many neighbours are tested one after the other, which is cheaper than finding out
+/// which one to test.
 constexpr int kFewNeighbors = 12;
 
-/// Where the ray from a site's centre through a point lies among the directions of the site's
-/// faces. Every answer is exact: that a sector holds the ray is what the end of a walk is proved
-/// by.
+/// Finds where the ray from a site's centre through a point lies among the directions of the site's
+/// faces. Every answer is exact: the proof that a walk has ended needs that a sector holds the ray.
 class Sectors {
  public:
   /// REQUIRES: (x, y) is not the reference site's centre.
@@ -79,7 +78,8 @@ class Sectors {
     return delaunay_.circle(faceOf(h));
   }
 
-  /// Along the direction of the face to the left of h, which starts at the reference site.
+  /// The bearing seen along the direction of the face to the left of h. REQUIRES: h starts at the
+  /// reference site.
   [[nodiscard]] Bearing bearing(HalfedgeId h) const {
     const Graph& graph = delaunay_.graph();
     return bearingOf(x_, y_, circle(h), reference_, delaunay_.corner(graph.target(h)),
@@ -138,11 +138,11 @@ DelaunayGraph::Located DelaunayGraph::walkAllNeighbors(double x, double y, Verte
 /// Why that proves the end. Cells are star-shaped about the centre. Beyond the place where the ray
 /// leaves v's cell, into that of j, the distance to v grows as fast as any can, and that to j does
 /// not: j is strictly nearer than v there. So if j is not nearer than v, the point is in v's cell.
-/// It may be its very end, at the same distance from both. Then all sites at that distance touch
-/// one circle about it. If there are more than two, it is a Voronoi vertex, and the canonical graph
-/// has faces of all of them there with the largest one: that one is the answer and is among the
-/// neighbours across the edges that meet in the ray's direction; these are asked, too. Where the
-/// sector is not to be found, all neighbours are.
+/// It may be exactly at the end of the cell, at the same distance from both. Then all sites at that
+/// distance touch one circle about it. If there are more than two, it is a Voronoi vertex, and the
+/// canonical graph has faces of all of them there with the largest one: that one is the answer and
+/// is among the neighbours across the edges that meet in the ray's direction; these are asked, too.
+/// If the sector cannot be found, all neighbours are asked.
 DelaunayGraph::Located DelaunayGraph::walkSectors(double x, double y, VertexId start) const {
   Nearest nearest(x, y, site(start));
   HalfedgeId better = kNoHalfedge;
@@ -196,8 +196,8 @@ DelaunayGraph::Located DelaunayGraph::walkSectors(double x, double y, VertexId s
   }
 }
 
-/// In builds with the shadow check: no neighbour of v is nearer, which is what the walk through all
-/// neighbours proves.
+/// In builds with the shadow check: checks that no neighbour of v is nearer, as the walk through
+/// all neighbours proves.
 void DelaunayGraph::shadowCheckNearest(VertexId v, double x, double y) const {
   if constexpr (!kShadowCheck) return;
   Nearest nearest(x, y, site(v));

@@ -35,8 +35,8 @@ std::span<const std::uint8_t> SiteMoves::apply(DelaunayGraph& delaunay, std::spa
   reserveFaces(delaunay.graph());
   collectFaces();
   makeAll();
-  // The new circles, then the checks; where a face fails an edge is flipped, or a site goes back,
-  // and the faces around are checked again. In the end all faces pass.
+  // Computes the new circles, then checks. Where a face fails, an edge is flipped or a site goes
+  // back, and the faces around are checked again. In the end all faces pass.
   computeCircles();
   if (mostFlips_ > 0) untangle();
   checkAll();
@@ -54,7 +54,7 @@ std::span<const std::uint8_t> SiteMoves::apply(DelaunayGraph& delaunay, std::spa
     isMade_[k] = isMoved_[index(moves[k].vertex)];
     isMoved_[index(moves[k].vertex)] = 0;
   }
-  // A few flips have led nowhere: the sites there may as well stay.
+  // A few flips have failed: tries again without flips, so that the sites there stay.
   if (mayTryAgain) return apply(delaunay, moves, Flips::kNone, mostLeft);
   return {isMade_.data(), moves.size()};
 }
@@ -102,10 +102,10 @@ void SiteMoves::reserveFaces(const Graph& graph) {
 
 void SiteMoves::collectFaces() {
   const Graph& graph = delaunay_->graph();
-  // Circles that are missing are computed of the sites as they are now.
+  // Computes missing circles from the sites as they are now.
   if (areMost()) {
     delaunay_->computeMissingCircles();
-    // In their order in memory.
+    // Takes the faces in their order in memory.
     for (const FaceId f : graph.faces()) collect(f);
   } else {
     for (const Move& move : moves_) {
@@ -119,7 +119,7 @@ void SiteMoves::collectFaces() {
     queueAt(position);
 }
 
-/// The face and its place in changed_, as one that has no moved corner.
+/// Adds a face to changed_ if it is not there yet, as one that has no moved corner.
 SiteMoves::ChangedFace& SiteMoves::collect(FaceId f) {
   std::uint32_t& position = positionOf_[index(f)];
   if (position == kNoIndex) {
@@ -159,7 +159,7 @@ bool SiteMoves::areHopeless() {
                         : failing * moves_.size() > mostLeft_ * sample;
 }
 
-/// Have all faces around it circles, and are their vertices in order along its edges?
+/// Have all faces around v circles, and are their vertices in order along its edges?
 bool SiteMoves::keepsItsStar(VertexId v) const {
   const Graph& graph = delaunay_->graph();
   const HalfedgeId begin = graph.outgoing(v);
@@ -187,7 +187,7 @@ bool SiteMoves::hasMovedCorner(FaceId f) const {
          isMoved(graph.origin(halfedgeOf(f, 2)));
 }
 
-/// Faces that have moved corners.
+/// Collects the faces that have moved corners.
 void SiteMoves::computeCircles() {
   const Graph& graph = delaunay_->graph();
   CircleBatch batch([this](std::uint32_t position, const VoronoiCircle& circle) {
@@ -217,9 +217,9 @@ void SiteMoves::computeCircle(std::uint32_t position) {
     changed.circle.error = std::numeric_limits<float>::infinity();
 }
 
-/// The conditions for one face: its circle exists, its vertex comes in order along its edges, and
-/// if it is at infinity, its normal has turned by less than a quarter, or the hull is asked in the
-/// end. Where an edge contradicts it is flipped, else a site goes back, if it may now.
+/// Checks the conditions for one face: its circle exists, its vertex comes in order along its
+/// edges, and if it is at infinity, its normal has turned by less than a quarter, or the hull is
+/// tested in the end. If an edge contradicts, it is flipped, else a site goes back, if it may now.
 void SiteMoves::check(std::uint32_t position, bool mayTakeBack) {
   const ChangedFace& changed = changed_[position];
   const FaceId f = changed.face;
@@ -243,8 +243,8 @@ void SiteMoves::check(std::uint32_t position, bool mayTakeBack) {
   }
 }
 
-/// The first edge of a face whose ends are not in order, and orderOfEnds() of it; positive if there
-/// is none. An edge between two faces that change is asked of the first of them only.
+/// Finds the first edge of a face whose ends are not in order, and returns orderOfEnds() of it;
+/// positive if there is none. An edge between two faces that change is tested for the first only.
 Sign SiteMoves::findDisorder(std::uint32_t position, HalfedgeId& edge) {
   const Graph& graph = delaunay_->graph();
   for (unsigned c = 0; c < 3; ++c) {
@@ -263,8 +263,8 @@ Sign SiteMoves::findDisorder(std::uint32_t position, HalfedgeId& edge) {
   return Sign::kPositive;
 }
 
-/// The first round: faces that have no circle. Where sites have jumped over others, flips that only
-/// look at the order along edges would tangle the faces further.
+/// The first round: faces that have no circle. Where sites have jumped over others, flips by the
+/// order along edges alone would tangle the faces further.
 void SiteMoves::untangle() {
   for (std::uint32_t position = 0; position < changed_.size(); ++position) {
     if (isTangled(position)) defer(position);
@@ -278,7 +278,7 @@ void SiteMoves::untangle() {
   }
 }
 
-/// The second round: all faces, those where an edge would have to be flipped and cannot last.
+/// The second round: all faces. Faces with an edge that should be flipped but cannot come last.
 void SiteMoves::checkAll() {
   while (goesOn() && !(queue_.empty() && deferred_.empty())) {
     const bool isLast = queue_.empty();
@@ -291,7 +291,8 @@ void SiteMoves::checkAll() {
   }
 }
 
-/// If one corner covers another, the latter goes back, or if it has done so, the former.
+/// If one corner covers another, moves the latter back, or the former if the latter is back
+/// already.
 bool SiteMoves::takeBackCovered(FaceId f) {
   const Graph& graph = delaunay_->graph();
   for (unsigned c = 0; c < 3; ++c) {
@@ -330,7 +331,7 @@ Sign SiteMoves::orderOfEnds(HalfedgeId h, const VoronoiCircle& left,
                                                          : Sign::kNegative;
 }
 
-/// With the moves and flips made.
+/// The circle of a face with the moves and flips made.
 const VoronoiCircle& SiteMoves::circleNow(FaceId f) const {
   const std::uint32_t position = positionOf_[index(f)];
   return position != kNoIndex && changed_[position].isActive ? changed_[position].circle
@@ -342,7 +343,7 @@ bool SiteMoves::isFlipped(FaceId f) const {
   return position != kNoIndex && changed_[position].isFlipped;
 }
 
-/// Where the filter does not know. At infinity only the hull as a whole tells.
+/// Decides the order if the filter does not know it. At infinity only the hull as a whole tells.
 Sign SiteMoves::exactOrder(HalfedgeId h, const VoronoiCircle& left, const VoronoiCircle& right) {
   const Graph& graph = delaunay_->graph();
   if (graph.origin(h) == kInfinity || graph.target(h) == kInfinity) {
@@ -356,9 +357,8 @@ bool SiteMoves::flipOneOf(FaceId f) {
   return flip(halfedgeOf(f, 0)) || flip(halfedgeOf(f, 1)) || flip(halfedgeOf(f, 2));
 }
 
-/// Flips the edge if the faces that this makes have circles, and if no edge around them becomes one
-/// that is out of order and cannot be flipped: as those of a site of degree 2, if it is not between
-/// its two neighbours.
+/// Flips the edge if the new faces have circles, and no edge around them gets out of order without
+/// being flippable: as the edges of a site of degree 2 that is not between its two neighbours.
 bool SiteMoves::flip(HalfedgeId h) {
   if (flips_.size() == mostFlips_) {
     isStuck_ = mostFlips_ > 0;
@@ -398,7 +398,7 @@ bool SiteMoves::flip(HalfedgeId h) {
   return true;
 }
 
-/// A corner of an active face, or of one beyond its edges.
+/// Moves a corner of an active face back, or one of a face beyond its edges.
 void SiteMoves::takeBackOneOf(FaceId f) {
   const Graph& graph = delaunay_->graph();
   for (const unsigned c : {0u, 1u, 2u}) {
@@ -430,8 +430,8 @@ void SiteMoves::takeBackAll() noexcept {
   flips_.clear();
 }
 
-/// The site returns to where it was; the faces around it are computed anew, and they and the ones
-/// beyond are to be checked.
+/// Moves a site back to where it was. Computes the faces around it anew, and queues them and those
+/// beyond for checking.
 void SiteMoves::takeBack(VertexId v) {
   delaunay_->setSite(v, before_[moveOf_[index(v)]]);
   isMoved_[index(v)] = 0;
@@ -445,7 +445,7 @@ void SiteMoves::takeBack(VertexId v) {
   }
 }
 
-/// The face and those beyond its edges.
+/// Queues a face and those beyond its edges.
 void SiteMoves::queueAround(FaceId f) {
   queue(f);
   for (unsigned c = 0; c < 3; ++c) queue(faceOf(delaunay_->graph().twin(halfedgeOf(f, c))));

@@ -62,8 +62,8 @@ class Proof {
   std::uint32_t where_ = 0;
 };
 
-/// The whole proof: what contradicts, with `where` receiving an id that it names; or nullptr, and
-/// then it is proved.
+/// Runs the whole proof. Returns the condition that does not hold, and `where` receives an id that
+/// it names; or nullptr if the graph is proved.
 [[nodiscard]] const char* findContradiction(const DelaunayGraph& delaunay,
                                             FlatArray<VoronoiCircle>& circles,
                                             std::uint32_t& where);

@@ -56,8 +56,8 @@ std::span<const Remover::Outcome> Remover::remove(DelaunayGraph& delaunay, Verte
   return outcomes_;
 }
 
-/// A degree of d with h hidden sites makes a small diagram of d + h sites at most, with no more
-/// than twice as many faces.
+/// A site of degree d with h hidden sites needs a small diagram of at most d + h sites, with at
+/// most twice as many faces.
 void Remover::reserve(std::size_t sites) {
   if (sites <= room_) return;
   sites = std::max(sites, 2 * room_);
@@ -86,10 +86,9 @@ void Remover::collectLink(const Graph& graph, VertexId v) {
   for (const HalfedgeId h : graph.star(v)) link_.push_back(next(h));
 }
 
-/// The neighbours enter in rounds of halved strides along the link, each from its predecessor of an
-/// earlier round: the walks stay short, and sorted input is no worst case. A
-/// neighbour that occurs twice in the link is covered by its first occurrence and so falls out by
-/// itself.
+/// Inserts the neighbours in rounds of halved strides along the link, each with a walk from its
+/// predecessor of an earlier round: the walks stay short, and sorted input is no worst case. A
+/// neighbour that occurs twice in the link is covered by its first occurrence, and so drops out.
 void Remover::buildSmall(const DelaunayGraph& delaunay, std::span<const VertexId> hidden) {
   const std::size_t d = link_.size();
   small_.clear();
@@ -138,9 +137,9 @@ VertexId Remover::addLocal(const DelaunayGraph& delaunay, VertexId v, VertexId s
   return local;
 }
 
-/// The part of the small diagram that v would be in conflict with. Its boundary is v's link: both
-/// are v's neighbours in the diagram of the same sites, and the canonical rule makes them equal in
-/// degenerate position too.
+/// Finds the part of the small diagram with which v would be in conflict. Its boundary is v's link:
+/// both are v's neighbours in the diagram of the same sites, and the canonical rule makes them
+/// equal in degenerate position, too.
 void Remover::findPatch(const DelaunayGraph& delaunay, VertexId v) {
   patchFaces_.clear();
   const Graph& small = small_.graph();

@@ -1,7 +1,7 @@
-// Deletion of a visible site (paper, section 5.1): its star is filled with the part of the small
-// diagram of its neighbours and of the sites that it hid, which the site would be in conflict with.
-// Where the site hid none and its degree is not large, clipping ears does the same with less
-// (ears.h).
+// Deletion of a visible site (paper, section 5.1): its star is filled with a part of the small
+// diagram of its neighbours and of the sites that it hid: the part with which the site would be in
+// conflict. If the site hid none and its degree is not large, clipping ears does the same at less
+// cost (ears.h).
 #pragma once
 
 #include <cstdint>
@@ -31,12 +31,11 @@ class Remover {
   std::span<const Outcome> remove(DelaunayGraph& delaunay, VertexId v,
                                   std::span<const VertexId> hidden, bool mayReturn = false);
 
-  /// All the room that it takes to remove a site whose neighbours and hidden sites are this many
-  /// together.
+  /// Makes all room for removing a site with this many neighbours and hidden sites together.
   void reserve(std::size_t sites);
 
-  /// Scratch for a caller: hidden vertices, and what has become of others; reserve() makes room
-  /// there, too.
+  /// Scratch for the caller: hidden vertices, and outcomes of others; reserve() makes room there,
+  /// too.
   [[nodiscard]] FlatArray<VertexId>& hiddenList() { return hidden_; }
   [[nodiscard]] FlatArray<Outcome>& adoptedList() { return adopted_; }
 
@@ -54,7 +53,7 @@ class Remover {
   }
 
   EarClipper ears_;
-  std::size_t room_ = 0;  // that reserve() has made
+  std::size_t room_ = 0;  // the room that reserve() has made
 
   // The small diagram; its vertex k is the big one's global_[k], covered by the small one's
   // cover_[k].

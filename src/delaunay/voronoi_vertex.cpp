@@ -1,11 +1,11 @@
-// Voronoi vertices for output. Their last bits must not depend on the history, as those of cached
-// circles do; nor, where more than three sites touch one circle, on which of its faces is asked:
-// the edges between those have length zero, and a boundary through them must not wander.
+// Voronoi vertices for output. Unlike those of cached circles, their last bits must not depend on
+// the history; nor, where more than three sites touch one circle, on the face chosen: the edges
+// between these faces have length zero, and a boundary through them must not wander.
 //
 // All faces of such a vertex have the largest z of the touching sites for a corner: perturbed as in
 // docs/PREDICATES.md ("Degenerate position"), z takes the vertex for its own cell, and each of the
-// others becomes its neighbour. So they are consecutive around z, which is the reference site of
-// each, and whether a face has company is seen at two of its edges.
+// others becomes its neighbour. So the faces are consecutive around z, which is the reference site
+// of each, and two edges of a face tell whether there are other faces with its vertex.
 #include "delaunay/delaunay_graph.h"
 #include "predicate/compute_circle.h"
 #include "predicate/precise_circle.h"
@@ -33,10 +33,10 @@ bool DelaunayGraph::isPoint(HalfedgeId h) const {
          touchesBetween(*e.i, *e.j, *e.k, *e.l);
 }
 
-/// Do the faces on both sides of an edge, which starts at the largest site of h's face, have one
-/// circle? Or do they have the same three sites, in both orders, and circles that are one as far as
-/// doubles can tell: then they are to be rounded as well as if they were. REQUIRES: h's face has no
-/// corner at infinity.
+/// Do the faces on both sides of an edge have one circle? Also true if they have the same three
+/// sites, in both orders, and circles that doubles cannot tell apart: then they have to be rounded
+/// as if they were one. REQUIRES: h starts at the largest site of its face, which has no corner at
+/// infinity.
 bool DelaunayGraph::isSameVertex(HalfedgeId h) const {
   const EdgeCorners e = edge(h);
   if (e.k == e.l)

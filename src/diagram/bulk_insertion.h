@@ -17,15 +17,16 @@
 
 namespace apollonius::internal {
 
-/// All or none: what has not been finished when this ends, or when a step throws std::bad_alloc, is
-/// undone. That step is the last one. Nobody else may change the diagram in between.
+/// Inserts all sites or none: an insertion that is not finished when this object is destroyed, or
+/// when a step throws std::bad_alloc, is undone. That step is the last one. The diagram must not be
+/// changed otherwise in between.
 class BulkInsertion {
  public:
   static constexpr std::size_t kAllAtOnce = std::numeric_limits<std::size_t>::max();
-  /// Visits of a site in stage() for one insertion: each of the steps of sorting and copying takes
-  /// a few nanoseconds, an insertion about a microsecond.
+  /// Number of visits of a site in stage() that take the time of one insertion: each of the steps
+  /// of sorting and copying takes a few nanoseconds, an insertion about a microsecond.
   static constexpr std::size_t kStageVisits = 64;
-  /// Visits of a site that take the time of this many insertions: `each` for one of them.
+  /// Number of visits of a site that take the time of this many insertions, `each` for one of them.
   static constexpr std::size_t visits(std::size_t insertions, std::size_t each) {
     return insertions > kAllAtOnce / each ? kAllAtOnce : insertions * each;
   }
@@ -36,24 +37,24 @@ class BulkInsertion {
   BulkInsertion& operator=(const BulkInsertion&) = delete;
 
   /// Stages x, y, r triples, at least one, the same ones in all steps; by at most this many visits
-  /// of a site. Are all staged?
+  /// of a site. True if all are staged.
   bool stage(std::span<const double> xyr, std::size_t most = kAllAtOnce);
 
-  /// Inserts at most this many of what has been staged; ids[k] becomes the id of circle k, or gives
-  /// it. Is that all? `ids` are the same in all steps.
+  /// Inserts at most this many of the staged sites; ids[k] becomes the id of circle k, or gives it.
+  /// True if all are inserted. `ids` are the same in all steps.
   bool insert(std::span<SiteId> ids, std::size_t most = kAllAtOnce);
 
-  /// Share of the whole work that is done, 0 to 1, as far as time can be foreseen.
+  /// The share of the work that is done, 0 to 1, by estimated time.
   [[nodiscard]] double progress() const;
 
  private:
   void copyStaged(std::span<const double> xyr, std::size_t most);
-  /// A step of insert(), or as much of it as `most` allows; was it the end of the last one?
+  /// Does a step of insert(), or as much of it as `most` allows. True if that ended the last step.
   bool goOn(std::span<SiteId> ids, std::size_t most);
   void name(std::size_t most);
   void attach(std::size_t most);
   void undo() noexcept;
-  /// Where the walk of a staged site starts; kNoVertex: as that of a single insertion.
+  /// The start of the walk of a staged site; kNoVertex: as for a single insertion.
   [[nodiscard]] VertexId startFor(Slot slot) const;
 
   enum class Step : std::uint8_t { kMakeRoom, kName, kOrder, kAttach };

@@ -1,7 +1,6 @@
 // The dynamic diagram: the Delaunay graph of the visible sites, the forest of the hidden ones, the
-// index for location, and the ids that hold them together. Arguments have been
-// checked by the caller (src/api); lack of memory is thrown as std::bad_alloc with the
-// diagram as it was before the call.
+// index for location, and the ids that connect them. Arguments have been checked by the caller
+// (src/api); lack of memory is thrown as std::bad_alloc with the diagram as it was before the call.
 #pragma once
 
 #include <algorithm>
@@ -26,18 +25,18 @@ class DiagramCore {
   explicit DiagramCore(Location location, Naming naming = Naming::kOwn)
       : ids_(naming), index_(location) {}
 
-  /// `given` is the id, if ids are given.
+  /// Inserts a site and returns its id; `given` is the id, if ids are given.
   SiteId insert(const Site& site, SiteId given = kNoSite);
   /// Inserts a site hung directly on `cover`, as its last child: for snapshots of structures built
   /// on a diagram. If it may not hang there, returns false and changes nothing. REQUIRES: ids are
   /// given; the cover's is in use.
   [[nodiscard]] bool insertBelow(const Site& site, SiteId given, SiteId cover);
-  /// Room for given ids below this limit.
+  /// Makes room for given ids below this limit.
   void reserveIds(std::size_t idLimit) { ids_.reserveIds(idLimit); }
 
-  /// False if the id is not in use.
+  /// Removes a site. False if the id is not in use.
   bool remove(SiteId id);
-  /// How many of the ids were in use.
+  /// Removes sites. Returns how many of the ids were in use.
   std::size_t removeMany(std::span<const SiteId> ids);
   void update(SiteId id, const Site& site);
   void updateMany(std::span<const SiteId> ids, std::span<const double> xyr);
@@ -45,18 +44,18 @@ class DiagramCore {
 
   // The steps of a bulk insertion, in this order; BulkInsertion takes them. Nothing else may change
   // the diagram in between. stage(), takeSlot() and the last two do not throw.
-  /// Room for the circles of this many more sites.
+  /// Makes room for the circles of this many more sites.
   void reserveStaged(std::size_t more) { delaunay_.reserveSites(slotsWith(more) + 1); }
   /// Copies a circle to one of the slots that ids() gives next.
   void stage(Slot slot, const Site& circle) { delaunay_.setSite(vertexOf(slot), circle); }
-  /// Room for these sites, and an id for each, which `ids` receives, unless it gives them. The
-  /// insertion can be rolled back from here on. Returns what to call attachStaged() with.
+  /// Makes room for these sites, and takes an id for each, which `ids` receives, unless it gives
+  /// them. The insertion can be rolled back from here on. Returns the argument for attachStaged().
   [[nodiscard]] Undo beginBulk(std::span<SiteId> ids);
-  /// The next slot becomes that of this id, and pending.
+  /// Gives this id the next slot, which becomes pending.
   Slot takeSlot(SiteId id) { return ids_.takeSlot(id, SiteState::kPending); }
-  /// Room in the graph for the sites, which all have slots.
+  /// Makes room in the graph for the sites, which all have slots.
   void reserveAttached(std::size_t more) {
-    if (index_.isBulk()) delaunay_.reserveBulk(more);  // a few would be paid for by copying all
+    if (index_.isBulk()) delaunay_.reserveBulk(more);  // for a few, copying all would cost too much
   }
   /// Attaches the site of a pending slot; `start` as for attachSite().
   void attachStaged(Slot slot, VertexId start, Undo undo) {
@@ -75,8 +74,8 @@ class DiagramCore {
   [[nodiscard]] const DelaunayGraph& delaunay() const { return delaunay_; }
   [[nodiscard]] const HiddenForest& hidden() const { return hidden_; }
   [[nodiscard]] const LocationIndex& locationIndex() const { return index_; }
-  /// Slots are kept while sites stay, but updateMany() may build the diagram anew, and then this
-  /// number changes.
+  /// Number of the assignment of slots. Sites keep their slots, except when updateMany() builds the
+  /// diagram anew; then this number changes.
   [[nodiscard]] std::uint32_t layout() const { return layout_; }
 
   /// May a site hang on another in the forest? The other covers it and, if the two are identical,
@@ -89,12 +88,13 @@ class DiagramCore {
   /// empty.
   [[nodiscard]] Slot nearest(double x, double y, Slot hint = kNoSlot) const;
 
-  /// The diagram as a snapshot; replaces the contents of `bytes`.
+  /// Writes the diagram as a snapshot; replaces the contents of `bytes`.
   void save(std::vector<std::uint8_t>& bytes) const;
-  /// Becomes what was saved; false if the bytes are no snapshot. REQUIRES: a new diagram, which is
-  /// unusable after a failure.
+  /// Becomes the diagram that was saved; false if the bytes are no snapshot. REQUIRES: a new
+  /// diagram, which is unusable after a failure.
   [[nodiscard]] bool restore(std::span<const std::uint8_t> bytes, Source source);
-  /// Has an operation found that trusted bytes were no diagram? Then only clear() may be called.
+  /// Has an operation found that trusted bytes were not a valid diagram? Then only clear() may be
+  /// called.
   [[nodiscard]] bool isBroken() const { return delaunay_.isBroken(); }
 
   /// The public id of a vertex's site.

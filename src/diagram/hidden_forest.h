@@ -3,37 +3,37 @@
 // concerns only what hangs on it directly. (The paper's lists, section 3.3, hang everything on
 // visible sites and pay O(n) for the removal of a hidden one.)
 //
-// Were all new ones hung on the visible site itself, its removal would have to look at each. So
-// `hang` makes a skew heap of those that cover each other (Sleator and Tarjan, Self-adjusting
-// heaps, 1986), which keeps nothing but the order of the children: a site that has kFew children
-// compares the next one with its last child; the smaller of the two goes on below the larger, and
-// that moves to the front, so that another child is the last one next time. Where neither covers
-// the other, the new one is hung beside.
+// If all new sites were hung on the visible site itself, its removal would have to examine each. So
+// link() makes a skew heap of those that cover each other (Sleator and Tarjan, Self-adjusting
+// heaps, 1986), which stores only the order of the children: a site that has kFew children compares
+// the next one with its last child; the smaller of the two is linked below the larger, which moves
+// to the front, so that another child is the last one next time. If neither covers the other, the
+// new one becomes another child.
 //
 // Guarantees after any history, T being the number of insertions since clear():
 //  1. In a family in which of any two sites one covers the other (duplicates, concentric circles,
 //     circles that touch in one point from inside), no site has more than kFew children. For link()
 //     puts a site beside kFew others only if it has compared it with one of them; dissolve() hangs
 //     the children of such a site anew; and of the children of a visible site that is removed, the
-//     largest gets the others (DiagramCore::detachVisible). Not meant are sites that have been
-//     moved in place, which may change what they are to each other.
-//  2. link() asks O(log T) questions amortised, whatever the family.
+//     largest gets the others (DiagramCore::detachVisible). This excludes sites that have been
+//     moved in place, which may change which of them cover each other.
+//  2. link() makes O(log T) comparisons amortised, whatever the family.
 //     Proof. Let each site weigh 1 when it comes, and a hidden one that is dissolved leave its
 //     weight to its parent. A tree weighs what its sites weigh; a child is heavy if its tree weighs
 //     more than half of its parent's. The potential is the number of sites whose last child is
 //     heavy. link() goes down two trees, that of the parent and that of the new site, always to a
-//     last child. Each step asks about the last child of one site, which then is the first child,
-//     or has been replaced by the first. If it was heavy, the last one is not heavy now, as the
-//     others weigh less than half together and the whole has not become lighter: the potential has
-//     paid. If it was not, its tree weighs at most half of its parent's: that happens log2 T times
-//     at most in each tree, and the potential grows by 1 at most. The last question and the new
-//     link cost O(1). Covering, detaching and dissolving change one list of children each, and no
-//     weight above it: what is hung on by then is visible, or dissolve's parent, or a child of the
-//     site that is being removed. []
+//     last child. Each step compares the last child of one site, which then is the first child, or
+//     has been replaced by the first. If it was heavy, the last one is not heavy now, as the others
+//     together weigh less than half and the whole has not become lighter: the potential pays. If it
+//     was not, its tree weighs at most half of its parent's: that happens at most log2 T times in
+//     each tree, and the potential grows by at most 1. The last comparison and the new link cost
+//     O(1). Covering, detaching and dissolving change one list of children each, and no weight
+//     above it: the site hung on is then visible, or dissolve's parent, or a child of the site that
+//     is being removed. []
 // So a removal from such a family costs O(log T) amortised. In general it costs what the m direct
-// children cost: they may be m sites that cover nobody, of which only the diagram of all can tell
-// which become visible. Each is hung then on what covers it, so that it comes up again only when
-// that one is removed.
+// children cost: they may be m sites that cover no other, and only the diagram of all tells which
+// become visible. Each of the others is then hung on a site that covers it, so that it is examined
+// again only when that one is removed.
 //
 // A site may hang on an identical one with a lesser id (DiagramCore::mayHang).
 // So of identical sites the one with the least id is visible, if any is. Proof. A site that is
@@ -45,8 +45,7 @@
 // with the least id becomes visible (DiagramCore::reparentNestedChildren): it is s. []
 //
 // Children form a list with both ends known to the parent; the ends name the parent where there is
-// no further sibling, so that taking a site out, with its children put in its place, needs no
-// search.
+// no further sibling, so that replacing a site by its children needs no search.
 //
 // Most sites neither hide nor are hidden: such a node costs one word. The others have a record, and
 // there are at most two records a hidden site: its own, and that of its parent. Records come in
@@ -80,7 +79,7 @@ class HiddenForest {
     return isEnd(links(n).after) ? kNone : links(n).after;
   }
 
-  /// Does it hang on another?
+  /// Does a site hang on another?
   [[nodiscard]] bool isChild(Node n) const { return hasRecord(n) && links(n).before != kNone; }
 
   /// The parent of a node that is not a root, or kNone if it is not found within 16 siblings: the
@@ -96,9 +95,9 @@ class HiddenForest {
   /// (reserveChildren).
   void attach(Node child, Node parent) { insertBefore(kEnd | parent, child, parent); }
 
-  /// Hangs a root on `parent` or below, and perhaps something from below that on the root, as said
-  /// above. covers(a, b): may b hang on a? A strict partial order, which must not throw. REQUIRES:
-  /// covers(parent, child), and room.
+  /// Hangs a root on `parent` or below, and perhaps a site from below `parent` on the root, as
+  /// described above. covers(a, b): may b hang on a? A strict partial order, which must not throw.
+  /// REQUIRES: covers(parent, child), and room.
   template <class Covers>
   void link(Node child, Node parent, Covers covers);
 
@@ -140,10 +139,10 @@ class HiddenForest {
   /// parent.
   void insertBefore(Node sibling, Node child, Node parent);
 
-  /// Puts the list first … last (or nothing) in the place of child.
+  /// Replaces a child by the list first … last, or by nothing.
   void replace(Node child, Node first, Node last);
 
-  /// How many children a site takes without comparing them.
+  /// Number of children that a site takes without comparing them.
   static constexpr int kFew = 2;
   [[nodiscard]] bool hasFew(Node parent, int few) const {
     for (Node child = firstChild(parent); child != kNone; child = nextSibling(child)) {
@@ -190,7 +189,7 @@ inline void HiddenForest::insertBefore(Node sibling, Node child, Node parent) {
   ensureRecord(parent);
   Links& c = links(child);
   Node& behind = isEnd(sibling) ? links(parent).lastChild
-                                : links(sibling).before;  // names who is before child now
+                                : links(sibling).before;  // names the node before child now
   c.after = sibling;
   c.before = behind != kNone ? behind : kEnd | parent;
   behind = child;

@@ -113,8 +113,8 @@ void Hierarchy::move(std::span<const SiteMoves::Move> moves, Remover& remover) n
   for (const SiteMoves::Move& move : behind_) insert(slotOf(move.vertex), move.to);
 }
 
-/// Moves what can be moved in place on a level, and keeps in moves_ what goes on to the next one.
-/// The rest is left behind.
+/// Moves in place the sites of a level for which that is possible, and keeps in moves_ those that
+/// are also on the next level. Appends the others, which are not moved, to behind_.
 void Hierarchy::followOn(unsigned level) {
   DelaunayGraph& delaunay = *levels_[level];
   behind_.reserve(behind_.size() +

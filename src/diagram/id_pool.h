@@ -1,7 +1,7 @@
-// Ids and slots of sites. A site's public id is stable while it lives; its slot is where it is
-// in the arrays of the diagram. They are two numbers so that sites that come in bulk can lie in
-// memory as they lie in the plane, and still be called 0, 1, 2, … in the order of the input. One
-// word an id, one a slot.
+// Ids and slots of sites. A site's public id is stable while it lives; its slot is its index in the
+// arrays of the diagram. They are two numbers so that sites that are inserted in bulk can lie in
+// memory as they lie in the plane, and still have the ids 0, 1, 2, … in the order of the input. One
+// word per id, one per slot.
 #pragma once
 
 #include <algorithm>
@@ -25,8 +25,7 @@ inline constexpr Slot kNoSlot = 0xFFFFFFFFu;
 constexpr VertexId vertexOf(Slot slot) { return VertexId{slot + 1}; }
 constexpr Slot slotOf(VertexId v) { return static_cast<Slot>(v) - 1; }
 
-/// kPending: in use, but the site is in no structure at the moment; within operations of several
-/// steps only.
+/// kPending: in use, but the site is in no structure; only within operations of several steps.
 enum class SiteState : std::uint8_t { kFree = 0, kVisible = 1, kHidden = 2, kPending = 3 };
 
 /// Who chooses the id of a new site: the pool, or the caller, who then keeps the list of free ids.
@@ -47,7 +46,7 @@ class IdPool {
   [[nodiscard]] SiteId idOf(Slot slot) const {
     return slot < slots_.size() ? slots_[slot] & kMask : kNoSite;
   }
-  /// kNoSlot if the id is not in use.
+  /// Slot of an id; kNoSlot if the id is not in use.
   [[nodiscard]] Slot slotOf(SiteId id) const {
     return id < ids_.size() && (ids_[id] & kFreeId) == 0 ? ids_[id] : kNoSlot;
   }
@@ -135,9 +134,9 @@ class IdPool {
     ++freeSlots_;
   }
 
-  /// Calls the sites 0, 1, 2, … by these names, and takes over from the numbering that they come
-  /// from which ids are free, and who chooses them. REQUIRES: no free slots or ids; the names are
-  /// all that `other` has in use. Throws std::bad_alloc with nothing changed.
+  /// Gives the sites 0, 1, 2, … these ids, and takes over the free ids and the naming of `other`.
+  /// REQUIRES: no free slots or ids; the names are all ids that `other` has in use. Throws
+  /// std::bad_alloc with nothing changed.
   void rename(std::span<const SiteId> names, const IdPool& other) {
     ids_ = other.ids_;
     firstFreeId_ = other.firstFreeId_;
@@ -149,7 +148,7 @@ class IdPool {
     }
   }
 
-  /// Room for this many sites in all.
+  /// Makes room for this many sites in all.
   void reserve(std::size_t sites) {
     for (auto* array : {&ids_, &slots_}) {
       if (array->capacity() < sites)
@@ -157,13 +156,13 @@ class IdPool {
     }
   }
 
-  /// Room for given ids below this limit.
+  /// Makes room for given ids below this limit.
   void reserveIds(std::size_t idLimit) {
     if (ids_.size() < idLimit) ids_.resize(idLimit, kFreeId | kEnd);
   }
 
-  /// Snapshots, of a pool that chooses the ids: for each slot its id, or kNoSite; then the free
-  /// slots and the free ids, in the order in which they are used.
+  /// Writes a pool that chooses the ids to a snapshot: for each slot its id, or kNoSite; then the
+  /// free slots and the free ids, in the order in which they will be used.
   void save(WordWriter& out) const {
     for (Slot slot = 0; slot < slots_.size(); ++slot)
       out.word(state(slot) == SiteState::kFree ? kNoSite : idOf(slot));

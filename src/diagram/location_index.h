@@ -1,10 +1,10 @@
-// Where searches start: a grid of sites by their places, and a hierarchy of Delaunay graphs (paper,
-// section 4) where the grid does not tell. Both are hints only: whatever they say, a search from
-// there ends at the nearest site.
+// Starts of searches: a grid of sites by their places, and a hierarchy of Delaunay graphs (paper,
+// section 4) where the grid gives none. Both are only hints: from any start, a search ends at the
+// nearest site.
 //
-// The index follows the diagram's graph, which each call is given: entered(), left() and moved()
-// say what has changed there. None of it throws: without memory, levels are dropped and the grid
-// stays as coarse as it is.
+// The index follows the diagram's graph, which is an argument of each call: entered(), left() and
+// moved() report its changes. No call throws: without memory, levels are dropped and the grid stays
+// as coarse as it is.
 #pragma once
 
 #include <span>
@@ -33,20 +33,22 @@ class LocationIndex {
   /// A visible vertex to start a search for (x, y) from, or kNoVertex.
   [[nodiscard]] VertexId startFor(const DelaunayGraph& delaunay, double x, double y) const;
 
-  /// A site has become visible.
+  /// Enters a site that has become visible.
   void entered(const DelaunayGraph& delaunay, Slot slot) noexcept;
-  /// A site, which was here, is visible no more.
+  /// Removes a site that is no longer visible; `site` is its former place.
   void left(Slot slot, const Site& site, Remover& remover) noexcept;
-  /// A visible site has moved, and the graph is as it was. followMoves() has the levels follow.
+  /// Follows the move of a visible site that left the graph as it was. For the levels,
+  /// followMoves() has to be called.
   void moved(Slot slot, const Site& from, const Site& to) { grid_.move(slot, from, to); }
-  /// All moves that were made together.
+  /// Updates the levels after moves; all that were made together.
   void followMoves(const DelaunayGraph& delaunay, std::span<const SiteMoves::Move> moves,
                    Remover& remover) noexcept;
 
-  // Many are about to enter: walks start beside, so the grid is left alone until they have.
+  // A bulk insertion begins: its walks start at adjacent sites, so the grid is not updated until
+  // the end.
   void beginBulk() noexcept { isBulk_ = true; }
   [[nodiscard]] bool isBulk() const { return isBulk_; }
-  /// Room on the levels for the visible ones of this many slots, if there is memory.
+  /// Makes room on the levels for the visible sites of this many slots, if there is memory.
   void reserveBulk(std::size_t slots) noexcept {
     if (hasLevels() && !areLevelsDue_) levels_.reserveBulk(slots);
   }
@@ -54,8 +56,8 @@ class LocationIndex {
     if (std::exchange(isBulk_, false)) rebuildGrid(delaunay);
   }
 
-  /// The levels would need room of their own while something is undone. They go, which makes some,
-  /// and are made anew when they are asked for.
+  /// Begins undoing. The levels would need room for it: they are dropped, which frees some, and are
+  /// built anew when they are needed.
   void beginUndo() noexcept {
     levels_.clear();
     areLevelsDue_ = false;
@@ -66,7 +68,7 @@ class LocationIndex {
     areLevelsDue_ = hasLevels();
   }
 
-  /// The graph is another one.
+  /// Rebuilds the index for another graph.
   void rebuild(const DelaunayGraph& delaunay) noexcept {
     areLevelsDue_ = hasLevels();
     rebuildGrid(delaunay);
@@ -97,7 +99,7 @@ class LocationIndex {
   Walk walk_;
   bool isUndoing_ = false;
   bool isBulk_ = false;
-  mutable bool areLevelsDue_ = false;  // they are made when they are asked first, and left alone
+  mutable bool areLevelsDue_ = false;  // they are built when they are first needed, and not updated
                                        // until then
   mutable Hierarchy levels_;
   HintGrid grid_;

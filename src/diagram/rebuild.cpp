@@ -14,7 +14,7 @@ bool DiagramCore::rebuildWith(std::span<const SiteId> ids, std::span<const doubl
                               std::span<const std::uint32_t> order) noexcept {
   DiagramCore fresh(location());
   try {
-    FlatArray<SiteId> used;  // the ids, ascending: what the fresh diagram calls k is used[k]
+    FlatArray<SiteId> used;  // the ids, ascending: used[k] is site k of the fresh diagram
     used.reserve(ids_.size());
     BulkInsertion insertion(fresh);
     {

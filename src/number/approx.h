@@ -1,5 +1,6 @@
-// Approx: a double with the size of what it was made of, for error-bound filters; Roundings,
-// which counts the roundings of a formula at compile time; and the error factor that follows.
+// Approx: a double with the size of the terms that it was computed from, for error-bound filters;
+// Roundings, which counts the roundings of a formula at compile time; and the error factor that
+// follows.
 //
 // Theorem (standard, e.g. Higham, Accuracy and Stability, chapter 3). Let a formula of + - * be
 // evaluated in doubles without overflow or underflow. Expand it into its monomials; each carries

@@ -1,14 +1,14 @@
-// Dyadic: the one exact ring of the library. A number m * 2^e with an integer m; every double is
-// one, and + - * stay inside. Exponents are carried beside the integer, so that wide ranges of
-// exponents cost no digits until two numbers of different exponents are added.
+// Dyadic: the exact numbers of the library, m * 2^e with an integer m. Every double is one, and + -
+// * yield such numbers. Exponents are stored beside the integer, so that wide ranges of exponents
+// cost no digits until two numbers of different exponents are added.
 //
 // The integer has memory of a fixed size, so that nothing here can run out of memory. That size is
 // enough: coordinates and weights, 0 or from 1e-100 to 1e100, are multiples of 2^-385
 // below 2^333, their differences below 2^334; so a form of degree d with t terms is a multiple of
 // 2^(-385 d) below 2^(334 d) t, and its integer has at most 719 d + log2(t) bits, as have those of
 // its parts. The predicates' forms have degree 12 at most; the highest degree is 16, with fewer
-// than 2^20 terms (squares in preciseVoronoiCircle; commonVoronoiCircle looks at the digits first):
-// 11 524 bits. What is longer than kBits breaks an invariant.
+// than 2^20 terms (squares in preciseVoronoiCircle; commonVoronoiCircle checks the digits first):
+// 11 524 bits. An integer longer than kBits breaks an invariant.
 #pragma once
 
 #include <boost/multiprecision/cpp_int.hpp>
@@ -26,7 +26,7 @@ class Dyadic {
   /// The exact value of a finite double.
   explicit Dyadic(double value);
 
-  // Copies what is in use instead of all memory.
+  // Copies only the memory in use.
   Dyadic(const Dyadic& other) noexcept;
   Dyadic& operator=(const Dyadic& other) noexcept;
 

@@ -11,7 +11,7 @@
 
 void apollonius::internal::reportBrokenInvariant(const char* name) {
 #ifdef __EMSCRIPTEN__
-  // C's output would be 2 % of what a page loads.
+  // C's output functions would be 2 % of the bytes that a page loads.
   std::array<char, 200> text{};
   std::size_t length = 0;
   for (const char* part : {"apollonius: broken invariant: ", name}) {

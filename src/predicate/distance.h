@@ -21,8 +21,8 @@ namespace apollonius::internal {
 /// Is a site farther from (x, y) than a limit, which may be infinite?
 [[nodiscard]] bool isBeyond(double x, double y, const Site& site, double limit);
 
-/// The distance of a point to a site in doubles: the filter of all searches for the nearest site,
-/// which keep it. |value - (|p - c| - r)| <= bound, for p = (x, y) and the site within the
+/// The distance from a point to a site in doubles: the filter of all searches for the nearest site,
+/// which store it. |value - (|p - c| - r)| <= bound, for p = (x, y) and the site within the
 /// documented range.
 ///
 /// Derivation, u the unit roundoff: the differences carry one factor (1+d) each, their squares
@@ -42,8 +42,8 @@ struct ApproxDistance {
   }
 };
 
-/// |p - c| - r for p = (x, y), off by less than one unit in the last place: of the right sign, and
-/// 0 on the circle only. For answers; a tenth of the time of a search.
+/// |p - c| - r for p = (x, y), with an error of less than one unit in the last place: of the right
+/// sign, and 0 on the circle only. For results; takes a tenth of the time of a search.
 [[nodiscard]] double roundedDistance(double x, double y, const Site& s);
 
 namespace stages {

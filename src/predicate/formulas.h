@@ -1,7 +1,7 @@
 // Every polynomial of the predicates, once, as a template over the number type. The kernels
 // (kernels.h, long_kernels.h) evaluate them over Approx, ExactDouble, FixedInteger and Dyadic, the
-// circles over double and Ball; over Roundings they give what the filters' error factors count, at
-// compile time. Derivations: docs/PREDICATES.md; degrees are in the input coordinates.
+// circles over double and Ball. Over Roundings they count, at compile time, the roundings for the
+// filters' error factors. Derivations: docs/PREDICATES.md; degrees are in the input coordinates.
 //
 // All of them look at the diagram from one finite site i, the reference site: other sites are rows
 // of differences to it. The site at infinity is the row (0, 0, 0, 1), which makes the same formulas

@@ -7,7 +7,7 @@
 namespace apollonius::internal {
 
 /// p = |a - b|² - (ra - rb)², with a small relative error also where it is small. Positive exactly
-/// if neither circle covers the other, but for numbers that underflow.
+/// if neither circle covers the other, unless numbers underflow.
 [[nodiscard]] double squaredTangent(const Site& a, const Site& b);
 
 }  // namespace apollonius::internal

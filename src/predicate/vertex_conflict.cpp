@@ -192,8 +192,8 @@ bool isOpposite(Kernel& kernel, FaceCorner corner) {
          kernel.sign(products[n] - products[(n + 2) % 3], kProducts) == Sign::kPositive;
 }
 
-/// isOpposite where all weights are equal, so that a p is a sum of squares: each product is off by
-/// a factor of at most (1 + u)^9.
+/// isOpposite() if all weights are equal, so that each p is a sum of squares: the rounding of a
+/// product is a factor of at most (1 + u)^9.
 MaybeSign isOppositeOfPoints(const Site& i, Corner j, Corner k, Corner q, FaceCorner corner) {
   const auto areEqual = [&](Corner c) { return c == nullptr || c->r == i.r; };
   if (!areEqual(j) || !areEqual(k) || !areEqual(q)) return {};

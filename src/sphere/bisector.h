@@ -154,7 +154,8 @@ class SphericalBisector {
     const double value = least_ - slope_ * square / 2;
     return {isHeavier_ ? value : -value, 0x1p-51 * (std::abs(least_) + slope_ * std::sqrt(square))};
   }
-  /// Where the caps say little about cos d - cos D, betterRise() makes more of what they say.
+  /// Where the caps give cos d - cos D inaccurately, betterRise() turns their value into a better
+  /// one.
   template <class Rise>
   void setByCaps(const Cap& from, const Cap& to, const Frame& frame, Rise&& betterRise) {
     setDirection(to.centre - from.centre, frame);

@@ -14,10 +14,11 @@ namespace apollonius::internal::sphere {
 
 namespace {
 
-/// Less than a quarter turn about a site: the arcs between a cell's points are in sectors of their
-/// own then, and never meet.
+/// Is the turn about a site less than a quarter? Then the arcs between a cell's points are in
+/// sectors of their own, and never meet.
 bool isLessThanQuarter(const Direction& up, const Direction& a, const Direction& b) {
-  // By the ways from the site, or from its antipode: little is left of long vectors close to those.
+  // Uses the differences from the site, or from its antipode: close to these, vectors themselves
+  // would lose most digits.
   const auto away = [&](const Direction& p) { return dot(p, up) > 0 ? p - up : p + up; };
   const Direction toA = away(a), toB = away(b);
   return dot(toA, toB) - dot(toA, up) * dot(toB, up) > 0;
@@ -27,16 +28,17 @@ bool isLessThanQuarter(const Direction& up, const Direction& a, const Direction&
 double fromAxis(const Direction& p) { return p.x * p.x + p.y * p.y; }
 bool isAtPole(const Direction& p) { return p.x == 0 && p.y == 0; }
 
-/// From a point to the great circle through two others. Differences tell more of points that are
-/// close to each other: with `b` and `point` themselves, rounding would grow as pieces are halved.
+/// The distance from a point to the great circle through two others. Uses differences, which are
+/// more accurate for close points: with `b` and `point` themselves, rounding would grow as pieces
+/// are halved.
 double toGreatCircle(const Direction& a, const Direction& point, const Direction& b) {
   const Direction normal = cross(a, b - a);
   const double length = lengthOf(normal);
   return length == 0 ? lengthOf(point - a) : std::abs(dot(normal, point - a)) / length;
 }
 
-/// Ends of a segment of the plane of longitude and latitude, in degrees, which is unrolled about a
-/// point of its curve, the origin.
+/// A segment of the plane of longitude and latitude, in degrees. The plane is unrolled about a
+/// point of the segment's curve, the origin.
 struct Segment {
   Segment(const MapPoint& from, const LonLat& at, const MapPoint& to)
       : a(unrolled(from, at)), b(unrolled(to, at)) {}
@@ -52,7 +54,7 @@ struct Segment {
     const double x = width * (b.lon - a.lon), y = b.lat - a.lat;
     return x * x + y * y;
   }
-  /// From the origin, squared. A degree of longitude is as wide as `width` of latitude.
+  /// The squared distance from the origin. A degree of longitude is as wide as `width` of latitude.
   [[nodiscard]] double squaredDistance(double width = 1) const {
     const double x = width * (b.lon - a.lon), y = b.lat - a.lat, square = x * x + y * y;
     const double along = -(width * a.lon * x + a.lat * y);
@@ -64,14 +66,14 @@ struct Segment {
   LonLat a, b;
 };
 
-/// At an angle and a bearing from a centre.
+/// The point at an angle and a bearing from a centre.
 Direction pointAt(const Direction& centre, const Frame& frame, double angle, double bearing) {
   const double x = std::cos(bearing), y = std::sin(bearing);
   return std::cos(angle) * centre + std::sin(angle) * (x * frame.first + y * frame.second);
 }
 
-/// Is an edge as narrow as rounding, seen from its site, and does the bisector as computed miss its
-/// vertices? So it can be where sites are close to each other, or one nearly covers another: there
+/// Is an edge as narrow as rounding, seen from its site, and does the computed bisector miss its
+/// vertices? This is possible if sites are close to each other, or one nearly covers another: then
 /// rounding moves vertices along the edge, and the bisector to the side.
 bool missesVertices(const Sector& sector, const Direction& centre, const Frame& frame,
                     const Direction& first, const Direction& last) {
@@ -122,8 +124,8 @@ bool ChainMaker::isFine(const MapPoint& a, const MapPoint& middle, const MapPoin
   constexpr double kLongest = 45, kFlat = 1.0 / 32;
   const Segment line(a, middle.at, b);
   if (line.squaredLength() > kLongest * kLongest) return false;
-  // In degrees of the sphere, as longitude beside a pole says little. What is within the distance
-  // by which points are moved is not the curve's.
+  // Measured in degrees on the sphere, as longitude means little beside a pole. Deviations within
+  // the distance by which points are moved do not come from the curve.
   const double width = std::sqrt(fromAxis(middle.point));
   const double aside = kRadian * kRadian * line.squaredDistance(width);
   if (aside <= kNearBorder * kNearBorder) return true;

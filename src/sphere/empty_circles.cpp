@@ -1,6 +1,6 @@
-// The candidates are Voronoi vertices; of each edge the far point, where the longer way from one
-// centre to the other along their great circle meets it; and the point opposite to the only site
-// (docs/PROOFS.md, "The sphere").
+// The candidates are the Voronoi vertices; the far point of each edge, where the longer way from
+// one centre to the other along their great circle meets it; and the point opposite to the only
+// site (docs/PROOFS.md, "The sphere").
 #include "sphere/empty_circles.h"
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace apollonius::internal::sphere {
 
 namespace {
 
-/// Rounding of a place and of its distances, in radians.
+/// Rounding of a point and of its distances, in radians.
 constexpr double kRounding = 1e-12;
 
 struct Candidate {
@@ -32,7 +32,8 @@ bool isBelow(const Candidate& a, const Candidate& b) {
   return a.at.lon != b.at.lon ? a.at.lon > b.at.lon : a.at.lat > b.at.lat;
 }
 
-/// The direction at a point of the great circle to another one; any, if they are opposite or close.
+/// The direction of the great circle from a point to another one; arbitrary if they are opposite or
+/// close.
 Direction tangent(const Direction& from, const Direction& to) {
   const Direction way = to - dot(to, from) * from;
   if (lengthOf(way) < kRounding) return Frame(from).first;
@@ -45,7 +46,7 @@ class Candidates {
   Candidates(const ProjectedDiagram& diagram, const SiteTable& sites)
       : diagram_(diagram), sites_(sites) {}
 
-  /// As a heap. Throws std::bad_alloc.
+  /// The candidates as a heap. Throws std::bad_alloc.
   FlatArray<Candidate>& heap() {
     addVertices();
     addFarPoints();
@@ -85,7 +86,7 @@ class Candidates {
     add(std::cos(away) * a.centre - std::sin(away) * ahead, away - a.weight);
   }
 
-  /// A place at this distance from two sites, in radians, unless another site is nearer.
+  /// Adds a point at this distance from two sites, in radians, unless another site is nearer.
   void add(const Direction& place, double distance) {
     const LonLat at = lonLatOf(place);
     const Direction point = directionOf(at);

@@ -1,4 +1,4 @@
-// Empty circles on the sphere: about the places that are farthest from all sites.
+// Empty circles on the sphere: about the points farthest from all sites.
 #pragma once
 
 #include <cstddef>
@@ -9,9 +9,9 @@
 
 namespace apollonius::internal::sphere {
 
-/// The `most` largest circles that no site reaches into, none of which has its centre in one before
-/// it: longitude and latitude, the distance to the nearest site, and that one site. Replaces the
-/// contents. Throws std::bad_alloc. Cost: O(h (log n + most)).
+/// Lists the `most` largest empty circles, none with its centre in a larger one: longitude and
+/// latitude, the distance to the nearest site, and that site. Replaces the contents. Throws
+/// std::bad_alloc. Cost: O(h (log n + most)).
 void listEmptyCircles(const ProjectedDiagram& diagram, const SiteTable& sites, std::size_t most,
                       VertexArrays& circles);
 

@@ -1,21 +1,22 @@
-// Branch and bound over the faces of a cube about the sphere, which are divided into four again and
-// again: the distance from the border, negative outside of the cell, changes by no more than the
-// place does. So what it is in the middle of a square, and how far a corner is, bound it there.
+// Branch and bound over the faces of a cube about the sphere, which are divided into four
+// repeatedly. The distance from the border, negative outside of the cell, changes by no more than
+// the point moves. So the distance in the middle of a square and the distance of its corners bound
+// it in the square.
 //
-// Where a cell is thin, that would ask for squares as small as it is thin. But let two arcs of the
+// In a thin cell, this would need squares as small as the cell is thin. But let two arcs of the
 // border have the square between them, with unit normals m and n into the cell, each so long that
-// the foot of every place of the square is on it. Of a place p that is at the angles d and e from
-// them, sin min(d, e) <= (sin d + sin e) / 2 = (m + n) p / 2, which changes by |m + n| / 2 times
-// the way only: by little, where the arcs run side by side. (A place beyond one of the arcs is no
-// farther from it than the square reaches beyond.) In their middle is a candidate, too.
+// the foot of every point of the square is on it. For a point p at the angles d and e from them,
+// sin min(d, e) <= (sin d + sin e) / 2 = (m + n) p / 2, which changes only by |m + n| / 2 times the
+// way: by little, if the arcs run side by side. (A point beyond one of the arcs is no farther from
+// it than the square reaches beyond.) The middle between them is a candidate, too.
 //
 // The border is that of the polygon within a slack of the cell (polygons.h), small against the
-// circle; the slack is taken off at the end.
+// circle; the slack is subtracted at the end.
 //
-// A place is in the cell unless a neighbour is nearer. For let a place not be in it: on the
-// shortest way there from the site's centre, let x be where the way leaves the cell, and n the
-// neighbour on the other side. The site's distance grows from x on by the length of the way, that
-// of n by no more: n is as near as the site, at least.
+// A point is in the cell unless a neighbour is nearer. Proof. Let a point not be in the cell. On
+// the shortest way to it from the site's centre, let x be the point where the way leaves the cell,
+// and n the neighbour on the other side. From x on, the distance from the site grows by the length
+// of the way, and that from n by no more: n is at least as near as the site.
 #include "sphere/inner_circle.h"
 
 #include <algorithm>
@@ -31,7 +32,7 @@ namespace apollonius::internal::sphere {
 
 namespace {
 
-constexpr double kGap = 0x1p-11;    // a circle that is larger by this share is not looked for
+constexpr double kGap = 0x1p-11;    // circles larger by less than this share are not sought
 constexpr double kSlack = 0x1p-13;  // as a share of the circle's radius
 constexpr double kCoarse = 1e-3, kFinest = 1e-15;  // slacks in radians
 constexpr double kSmallest = 0x1p-50;              // half the side of a square
@@ -46,14 +47,14 @@ struct Arc {
 
 /// A square of a face of the cube.
 struct Square {
-  double bound;  // no place in it is farther from the border
+  double bound;  // upper bound of the distance from the border in it
   double u, v, half;
   std::uint8_t face;
 
   friend bool operator<(const Square& a, const Square& b) { return a.bound < b.bound; }
 };
 
-/// The point of a face at (u, v) in [-1, 1] x [-1, 1]. On the sphere, places are no farther apart
+/// The point of a face at (u, v) in [-1, 1] x [-1, 1]. On the sphere, points are no farther apart
 /// than on the face.
 Direction pointOn(std::uint8_t face, double u, double v) {
   const double side = face % 2 == 0 ? 1 : -1;
@@ -103,7 +104,8 @@ class Search {
       for (std::size_t k = rings.starts[ring]; k + 1 < rings.starts[ring + 1]; ++k) {
         const double* at = &rings.coordinates[2 * k];
         const Direction a = directionOf({at[0], at[1]}), b = directionOf({at[2], at[3]});
-        const Direction across = cross(a, b - a);  // (b - a) tells more than b of a short arc
+        const Direction across =
+            cross(a, b - a);  // for a short arc, (b - a) is more accurate than b
         if (!(lengthOf(across) > 0)) continue;
         const Direction normal = normalized(across);
         arcs_.push_back({a, b, normal, cross(normal, a), cross(b, normal)});
@@ -111,7 +113,7 @@ class Search {
     }
   }
 
-  /// The largest circle, unless the one given is not smaller by more than the gap.
+  /// Finds the largest circle; keeps the one given unless that is smaller by more than the gap.
   bool widen(InnerCircle& circle) {
     best_ = circle;
     best_.radius = distanceAt(circle.centre);
@@ -146,20 +148,20 @@ class Search {
     std::push_heap(squares_.begin(), squares_.end());
   }
 
-  /// The distance of a candidate, which may be the best.
+  /// Returns the distance of a candidate, and keeps it if it is the best.
   double lookAt(const Direction& place) {
     const double distance = distanceAt(place);
     if (distance > best_.radius) best_ = {place, distance};
     return distance;
   }
 
-  /// Is the foot of every place that is not farther from this one than the angle on the arc?
+  /// Do all points within the distance `reach` of `place` have their feet on the arc?
   static bool hasFeet(const Arc& arc, const Direction& place, double reach) {
     return dot(arc.fromA, place - arc.a) > reach && dot(arc.fromB, place - arc.b) > reach;
   }
 
-  /// The least bound by the arc that is nearest to a place, at this distance, and one across from
-  /// it, for places that are up to `reach` away; infinite if there are none.
+  /// The least bound by the arc nearest to a point, at this distance, and one across from it, for
+  /// points up to `reach` away; infinite if there are none.
   double boundBetween(const Arc& near, const Direction& place, double distance, double reach) {
     double least = std::numeric_limits<double>::infinity(), across = 0;
     if (!hasFeet(near, place, reach)) return least;
@@ -178,8 +180,8 @@ class Search {
     return least;
   }
 
-  /// From the border, as an angle; negative outside of the cell. nearest_ becomes the arc that has
-  /// the foot, if it is not at an end.
+  /// The distance of a point from the border, as an angle; negative outside of the cell. nearest_
+  /// becomes the arc with the foot, if that is not at an end.
   double distanceAt(const Direction& place) {
     double least = 1;  // the square of the sine of half the angle
     nearest_ = nullptr;
@@ -212,7 +214,7 @@ class Search {
   const ProjectedDiagram& diagram_;
   VertexId node_;
   const AngularReach& reach_;
-  double most_;  // from the centre
+  double most_;  // limit of the distance from the centre
   FlatArray<Cap> neighbors_;
   FlatArray<Arc> arcs_;
   FlatArray<Square> squares_;  // a heap

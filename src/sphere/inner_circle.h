@@ -13,9 +13,10 @@ struct InnerCircle {
 };
 
 /// The largest circle inside the cell of a visible site, which reaches beyond its centre: the
-/// radius is at least 0.999 of the largest possible, and the circle is inside but for rounding.
-/// Throws std::bad_alloc. False if the search does not end, as in cells that are thousands of times
-/// as long as wide. Cost: some hundred times O(d), and of thin cells their length in widths.
+/// radius is at least 0.999 of the largest possible, and the circle is inside up to rounding.
+/// Throws std::bad_alloc. Returns false if the search does not end, as in cells that are thousands
+/// of times as long as wide. Cost: some hundred times O(d), and for thin cells their length in
+/// widths.
 [[nodiscard]] bool findInnerCircle(const ProjectedDiagram& diagram, VertexId node,
                                    const AngularReach& reach, InnerCircle& circle);
 

@@ -29,7 +29,7 @@ namespace {
 
 /// The least angle from the site to a part of one of its bisectors.
 double leastAngle(const Sector& sector) {
-  // The curve is the nearer, the less its bearing differs from that of the other site.
+  // The less the bearing differs from that of the other site, the nearer is the curve.
   const SphericalBisector& bisector = sector.bisector;
   const double ahead = std::remainder(bisector.middle() - sector.from, kTurn);
   if ((ahead < 0 ? ahead + kTurn : ahead) <= sector.width)
@@ -54,7 +54,7 @@ void listNeighbors(const ProjectedDiagram& diagram, SiteId id, double radius,
   if (!graph.isEmpty()) {
     for (const HalfedgeId h : graph.star(node)) {
       const SiteId neighbor = diagram.siteOf(graph.target(h));
-      // Always seen from the same one of the two.
+      // Computed from the same one of the two sites always.
       const HalfedgeId seen = id < neighbor ? h : graph.twin(h);
       add(neighbor, graph.origin(seen), sectorOf(diagram, seen, vertices));
     }
@@ -157,7 +157,8 @@ void listNarrowest(const ProjectedDiagram& diagram, double radius, VertexArrays&
     if (count == 1) atMiddle(0, kInfinity, sectors[0]);
     return;
   }
-  // Cell by cell, as the sectors of a cell are found together: each edge in that of its first site.
+  // Goes cell by cell, as the sectors of a cell are found together: each edge with its first
+  // site's.
   FlatArray<std::uint32_t> rowOf(3 * graph.faceSlots(), kNoRow);
   std::uint32_t row = 0;
   for (const HalfedgeId h : graph.edges()) rowOf[index(h)] = row++;

@@ -11,7 +11,7 @@ namespace apollonius::internal::sphere {
 
 namespace {
 
-/// Computed, or so nearly that there is no bisector.
+/// Does the first cap cover the other, as computed, or so nearly that there is no bisector?
 bool covers(const Cap& cap, const Cap& other) {
   return !(HalfAngle{} < angleBetween(cap.centre, other.centre) - (cap.radius - other.radius));
 }

@@ -11,14 +11,14 @@
 
 namespace apollonius::internal::sphere {
 
-/// From a point to a site in the unit of the sphere's radius, rounded.
+/// Distance of a point to a site, in the unit of the sphere's radius, rounded.
 [[nodiscard]] inline double distanceTo(const SiteTable& sites, SiteId id, const Direction& point) {
   const double angle = angleBetween(point, directionOf(sites[id].centre)).angle();
   return angle * sites.radius() - sites[id].r;
 }
 
-/// The sphere as a search around a point sees it, in the unit of its radius (nearby_search.h). Of
-/// sites that are equally far but for rounding, any comes first.
+/// The sphere as the surface of a search around a point, in the unit of its radius
+/// (nearby_search.h). Of sites that are equally far up to rounding, any may come first.
 class Sphere {
  public:
   using Point = Direction;

@@ -33,7 +33,7 @@ namespace {
 
 constexpr int kManyNeighbors = 24;
 
-/// delta, in radians: of a cap that has lost so much (Projection::Image) in some roundings.
+/// delta, in radians, for a cap with this loss of accuracy (Projection::Image).
 double roundingOf(double loss) { return 4 * (loss + 1) * 0x1p-53; }
 
 class SphericalWalk {
@@ -117,7 +117,7 @@ class SphericalWalk {
     return node_ != from;
   }
 
-  /// Goes to a nearer site that is beyond sites as far away as this one but for rounding.
+  /// Goes to a nearer site beyond sites that are as far away as this one up to rounding.
   bool passTies() {
     const Graph& graph = diagram_.graph();
     const VertexId from = node_;

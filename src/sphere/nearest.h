@@ -12,13 +12,13 @@
 namespace apollonius::internal::sphere {
 
 /// The node of the site that is nearest to a point, to within twice the rounding of sites: 4 (loss
-/// + 1) units of 2^-53 radians, with the loss of the projection. Of sites that are equally near,
-/// any. REQUIRES: not empty. Throws std::bad_alloc. Cost: one location in the plane and a few
-/// steps, and one for each site that is equally near but for rounding.
+/// + 1) units of 2^-53 radians, with the loss of the projection. Any one of equally near sites.
+/// REQUIRES: not empty. Throws std::bad_alloc. Cost: one location in the plane, a few steps, and
+/// one step for each site that is equally near up to rounding.
 [[nodiscard]] VertexId nearestNode(const ProjectedDiagram& diagram, const Direction& point);
 
-/// visit(k, point) for each of the points longitude, latitude in degrees, in the order of the grid,
-/// so that what a walk reads is still in the cache. Throws std::bad_alloc.
+/// Calls visit(k, point) for each of the points longitude, latitude in degrees, in the order of the
+/// grid, so that the data that a walk reads is still in the cache. Throws std::bad_alloc.
 template <class Visit>
 void visitPoints(const ProjectedDiagram& diagram, std::span<const double> lonLat, Visit&& visit) {
   FlatArray<Direction> points(lonLat.size() / 2);

@@ -77,14 +77,14 @@ bool PoleChoice::advance(std::size_t most) {
   return true;
 }
 
-/// The site that is nearest to a centre is visible: paper, Lemma 1, which needs the triangle
-/// inequality only. Of equally near ones the heaviest is.
+/// Searches for the site nearest to a centre. It is visible: paper, Lemma 1, which needs only the
+/// triangle inequality. Among equally near ones the heaviest is visible.
 void PoleChoice::lookForNearest(std::size_t end) {
   const Direction centre = caps_[start_].centre;
   for (; at_ < end; ++at_) {
     const SiteId id = all_[at_];
-    // Half a turn is more than any angle makes up for; the others' distances can be compared, as
-    // those that are at least -pi are, with one that is below pi.
+    // No angle makes up for a weight that is less by half a turn. The other distances can be
+    // compared: they are at least -pi, and the one compared with is below pi.
     const double heavier = caps_[id].weight - caps_[nearest_].weight;
     if (heavier <= -std::numbers::pi) continue;
     const HalfAngle toSite = distance(centre, caps_[id]);
@@ -95,7 +95,7 @@ void PoleChoice::lookForNearest(std::size_t end) {
   }
 }
 
-/// The largest loss of accuracy of a circle that is seen from the candidate.
+/// Finds the largest loss of accuracy of a circle projected from the candidate.
 void PoleChoice::lookForLoss(std::size_t end) {
   for (; at_ < end; ++at_) {
     const Projection::Image image = projection_.image(caps_[all_[at_]]);
@@ -110,13 +110,14 @@ void PoleChoice::lookForLoss(std::size_t end) {
 
 /// Is the candidate better than the best one so far?
 bool PoleChoice::isBetter() const {
-  // Where one nearly covers another, the circle of either is of no use as seen from the other. The
-  // one that nearly covers is the pole then: what is lost is a cell of nearly no width.
+  // If one site nearly covers another, neither has an accurate circle when projected from the
+  // other. Then the one that nearly covers becomes the pole: only a cell of nearly no width is
+  // lost.
   const bool areRough = std::min(loss_, least_) > kRough;
   return areRough ? caps_[nearest_].weight > caps_[best_].weight : loss_ < least_;
 }
 
-/// Those that the candidate covers lead to it again.
+/// Drops the starts that the candidate covers: they would lead to it again.
 void PoleChoice::dropStarts(std::size_t end) {
   for (; at_ < end; ++at_) {
     const SiteId id = starts_[at_];

@@ -1,7 +1,7 @@
-// Snapshots of the sphere: docs/SNAPSHOTS.md has the format. They hold what the diagram is built
-// from: the sites, the pole, and what covers each hidden site. They hold no graph: the same circles
-// give the same graph, as the plane's is canonical, so nothing has to be proved. Only which of
-// identical sites is visible, and on what hidden ones hang, follows from no circle.
+// Snapshots of the sphere: docs/SNAPSHOTS.md has the format. They hold the data that the diagram is
+// built from: the sites, the pole, and the cover of each hidden site. They hold no graph: the same
+// circles give the same graph, as the plane's is canonical, so nothing has to be proved. Circles do
+// not determine which of identical sites is visible, and which sites hidden ones hang on.
 #include <cmath>
 #include <limits>
 #include <new>

@@ -1,5 +1,5 @@
-// The circle that the plane knows of a face, taken back to the sphere, has been rounded there, and
-// is inaccurate where it is large. So it is the start of Newton's method for the three equations
+// The plane's circle of a face, mapped back to the sphere, has the plane's rounding, and is
+// inaccurate where it is large. So it is only the start of Newton's method for the three equations
 //
 //     angle(v, u_i) - w_i = clearance
 //
@@ -13,7 +13,7 @@ namespace apollonius::internal::sphere {
 
 namespace {
 
-/// How far the three equations are from being met.
+/// The residuals of the three equations.
 struct Residuals {
   Residuals(const SphericalVertex& vertex, const std::array<const Cap*, 3>& caps) {
     for (std::size_t k = 0; k < 3; ++k) {

@@ -139,7 +139,7 @@ std::span<const VertexId> Graph::starHole(VertexId w, std::span<const FaceId> ho
   for (std::size_t k = 0; k < n; ++k) newFaces[k] = k < hole.size() ? hole[k] : takeFace();
   if (mayHaveSlits) replaceSlits(hole, boundary, newFaces);
 
-  // Local pointers: the compiler cannot know that what is written leaves the arrays where they are.
+  // Local pointers: the compiler cannot know that these writes leave the arrays where they are.
   Halfedge* const halfedges = halfedges_.data();
   HalfedgeId* const outgoing = outgoing_.data();
   HalfedgeId spoke = halfedgeOf(newFaces[n - 1], 1);  // to w, of the face before

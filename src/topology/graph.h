@@ -65,19 +65,18 @@ class Graph {
   [[nodiscard]] std::size_t faceCount() const { return faceSlots() - freeFaces_; }
   [[nodiscard]] bool isLive(FaceId f) const { return origin(halfedgeOf(f, 0)) != kNoVertex; }
   [[nodiscard]] bool isEmpty() const { return faceCount() == 0; }
-  /// All vertices in the graph but infinity; replaces the contents. Cost: as clear(). Throws
-  /// std::bad_alloc.
+  /// Lists all vertices in the graph except infinity; replaces the contents. Cost: as clear().
+  /// Throws std::bad_alloc.
   void listVertices(FlatArray<VertexId>& vertices) const;
 
   // --- Room
-  // The operations below allocate nothing: whoever calls them has made room, and can fail only
-  // there.
+  // The operations below allocate nothing: the caller makes room first, and can fail only there.
 
   void reserveVertices(std::size_t slots);  ///< room for vertices of index < slots
-  /// Room for an operation that takes `removed` faces away and brings `created` new ones.
+  /// Makes room for an operation that removes `removed` faces and creates `created` new ones.
   void reserveFaces(std::size_t removed, std::size_t created);
-  /// Room for this many faces in all, in one piece; operations still make room for what they need
-  /// at a time.
+  /// Makes room for this many faces in all, in one piece; operations still reserve the faces that
+  /// they need.
   void reserveFacesInAll(std::size_t faces) { halfedges_.reserve(3 * faces); }
 
   // --- Operations
@@ -96,8 +95,8 @@ class Graph {
   /// Puts vertex w into a hole: the faces `hole` go, and each half-edge of `boundary` gets a new
   /// face with w at its left. The boundary lists, counter-clockwise, the half-edges that bound the
   /// hole from inside; a boundary half-edge whose twin is on the boundary too is an edge with the
-  /// hole on both sides, a slit (or, with no face in the hole, the one edge that is opened). Who
-  /// knows that there is no slit says so, which saves looking for them.
+  /// hole on both sides, a slit (or, with no face in the hole, the one edge that is opened). A
+  /// caller that knows that there is no slit passes mayHaveSlits = false, which saves the search.
   ///
   ///         b ______ a             b ______ a
   ///          |      |               | \  / |         boundary: a→b, b→c, c→d, d→a
@@ -113,8 +112,7 @@ class Graph {
                                      std::span<const HalfedgeId> boundary,
                                      std::span<FaceId> newFaces, bool mayHaveSlits = true);
 
-  /// A face of a patch: three vertices and, for each of its half-edges, what lies on the other
-  /// side.
+  /// A face of a patch: three vertices and, for each of its half-edges, the other side.
   struct PatchFace {
     std::array<VertexId, 3> corners;
     /// Either the half-edge 3·face + corner of the patch, or kOutside | k for the outer side of

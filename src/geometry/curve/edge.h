@@ -1,5 +1,5 @@
-// A Voronoi edge as a curve: what it is a piece of, and where it ends. Taken from the Delaunay
-// graph and the circles of its faces.
+// A Voronoi edge as a curve: its bisector, and where it ends on it. Taken from the Delaunay graph
+// and the circles of its faces.
 #pragma once
 
 #include <limits>
@@ -11,8 +11,8 @@
 
 namespace apollonius::internal {
 
-/// An end of an edge: a Voronoi vertex, or at infinity (also if it is further away than doubles
-/// reach).
+/// An end of an edge: a Voronoi vertex, or infinity (also if the vertex is beyond the range of
+/// doubles).
 struct EdgeEnd {
   Point point;
   bool isFinite = false;
@@ -30,9 +30,10 @@ struct EdgeEnd {
   return isKnownWithin(circle, powerOfTwo(-40));
 }
 
-/// Which bits a vertex gets: the same after any history (DelaunayGraph::voronoiVertex), or those of
-/// the cached circle if it is precise, which is quicker and differs in the last places; or if it is
-/// off by at most 2^-30 of its numbers, for measures that are taken to be left again.
+/// The precision of a vertex. kReproducible: the same bits after any history
+/// (DelaunayGraph::voronoiVertex). kFast: the cached circle if it is precise, which is quicker and
+/// differs in the last places. kRough: the cached circle if it is off by at most 2^-30 of its
+/// numbers, for intermediate measures.
 enum class VertexPrecision : unsigned char { kReproducible, kFast, kRough };
 
 /// Vertices that have been computed, for the other two edges of each: by face, the last of those
@@ -68,8 +69,8 @@ struct Edge {
 /// A piece of an edge between two places, with these ends. Straight where rounding has exchanged
 /// the two, or where doubles know no curve.
 [[nodiscard]] Conic pieceOf(const Bisector& bisector, double e0, double e1, Point from, Point to);
-/// Is a piece no longer than rounding moves its ends? Then, if something else than a vertex ends it
-/// there, the edge but touches that.
+/// Is a piece no longer than rounding moves its ends? Then, if it ends at something other than a
+/// vertex, the edge merely touches that.
 [[nodiscard]] bool isTouch(const Bisector& bisector, const Conic& piece);
 
 }  // namespace apollonius::internal

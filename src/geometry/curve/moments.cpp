@@ -105,15 +105,16 @@ double adaptiveLength(const Conic& conic, double whole, double tolerance, int de
   Conic first, second;
   conic.halve(first, second);
   const double a = gaussLength(first), b = gaussLength(second);
-  // Where the two differ by so little, the finer one is better by far (a factor of 2^20 for each
+  // If the two differ by so little, the finer one is far better (by a factor of 2^20 for each
   // halving of a smooth piece).
   if (depth == 0 || !(absolute(a + b - whole) > tolerance)) return a + b;
   return adaptiveLength(first, a, tolerance, depth - 1) +
          adaptiveLength(second, b, tolerance, depth - 1);
 }
 
-/// Weights above 2 speed up towards the ends so much that the quadrature would not see it. A
-/// halving takes about the root of the weight, so even 2^1000 is below 2 after eleven.
+/// Length of a conic whose weight may be above 2. Such a curve changes so fast towards its ends
+/// that the quadrature would miss it, so it is halved. A halving takes about the root of the
+/// weight, so even 2^1000 is below 2 after eleven.
 double halvedLength(const Conic& conic, double tolerance) {
   if (!(conic.w > 2 && conic.w < std::numeric_limits<double>::infinity()))
     return adaptiveLength(conic, gaussLength(conic), tolerance, 40);

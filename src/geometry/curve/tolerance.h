@@ -1,4 +1,4 @@
-// How far from their curves drawings and polygons may be.
+// The tolerance of drawings and polygons: their largest distance from the curves.
 #pragma once
 
 #include <limits>
@@ -9,13 +9,13 @@ namespace apollonius::internal {
 
 struct Tolerance {
   double distance;
-  /// And, so that what is small beside that keeps its shape, as a share: of a curve's size in
-  /// drawings, and in polygons of how far the cells beside it go on from it (chords.h).
+  /// A relative limit, so that small things keep their shape: a share of a curve's size in
+  /// drawings, and in polygons of the extent of the cells beside it (chords.h).
   double share = std::numeric_limits<double>::infinity();
 };
 
-/// The share by default. A chord is then off by 4/3 of that at most, in units of the area that the
-/// cell has between it and its site: 0.4 %.
+/// The default share. Then the area between a chord and its curve is at most 4/3 of it, relative to
+/// the cell's area between chord and site: 0.4 %.
 inline constexpr double kDefaultShare = 3 * powerOfTwo(-10);
 
 }  // namespace apollonius::internal

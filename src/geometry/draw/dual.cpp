@@ -30,8 +30,8 @@ SeenVertex seen(const Bisector& bisector, const VoronoiCircle& circle, double re
   if (!circle.isHalfPlane()) vertex.inverse = p / (2 * (circle.s + referenceWeight));
   vertex.cosine = std::min((vertex.inverse + 2 * bisector.transverse()) / d, 1.0);
   const double size = length(way), side = cross(bisector.axis(), way) / size;
-  // Near the axis the sine is what is small and good, elsewhere the cosine, which is all there is
-  // if the vertex is too far for doubles.
+  // Near the axis the sine is accurate, elsewhere the cosine, which is also all that is known if
+  // the vertex is too far for doubles.
   const bool isOnLeft = side >= 0 || (!(side < 0) && isLeft);
   const double sine = std::sqrt((1 - vertex.cosine) * (1 + vertex.cosine));
   vertex.sine = absolute(side) < 0.5 ? side : isOnLeft ? sine : -sine;

@@ -58,7 +58,7 @@ std::uint8_t* PathWriter::writeNumber(double x, std::uint8_t* to) const {
   for (; places > 0 && last != at && *last == '0'; --places) ++last;
   if (last == at) places = 0;  // zero
   const auto count = static_cast<unsigned>(at - last);
-  if (places > count + 5) {  // JavaScript writes what is below 1e-6 with an exponent
+  if (places > count + 5) {  // JavaScript writes numbers below 1e-6 with an exponent
     *to++ = *--at;
     if (count > 1) *to++ = '.';
     while (at != last) *to++ = *--at;

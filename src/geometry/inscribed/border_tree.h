@@ -46,8 +46,8 @@ class BorderTree {
   }
   /// The largest distance of piece and chord from each other, at most.
   [[nodiscard]] double height(std::uint32_t piece) const { return pieces_[piece].height; }
-  /// The first half of a piece, which the second one follows; kWhole if it is not to be halved. The
-  /// first call halves the curve. Throws std::bad_alloc.
+  /// The first half of a piece, which the second one follows; kWhole if the piece cannot be halved.
+  /// The first call halves the curve. Throws std::bad_alloc.
   [[nodiscard]] std::uint32_t firstHalf(std::uint32_t piece);
   static constexpr std::uint32_t kWhole = 0;
 

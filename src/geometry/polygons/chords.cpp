@@ -9,17 +9,18 @@ namespace apollonius::internal {
 
 namespace {
 
-/// A chord that is off by less than this share of the piece's size is fine enough for any
+/// A chord whose deviation is less than this share of the piece's size is fine enough for any
 /// tolerance: at most 2^18 points.
 constexpr double kFinestShare = powerOfTwo(-36);
-/// A chord that is off by less than this share of its coordinates, and of its distance from the
-/// site, is off by rounding: halving it does not bring it closer to the cells' shapes.
+/// If a chord deviates by less than this share of its coordinates, and of its distance from the
+/// site, the deviation is rounding: halving the chord does not bring it closer to the cells'
+/// shapes.
 constexpr double kRounding = powerOfTwo(-46);
-/// A chord of two cells that is off by less than this share of the piece's size is not made finer
-/// for the border: at most 2^10 points where the border runs along the edge.
+/// A chord of two cells that deviates by less than this share of the piece's size is not halved for
+/// the border: at most 2^10 points where the border runs along the edge.
 constexpr double kFinestBetweenCells = powerOfTwo(-20);
-/// Points of an edge can be off by this share of their coordinates, of their distances from the
-/// sites and of the size of the edge (docs/PROOFS.md, "Polygons").
+/// The error of an edge's points can be this share of their coordinates, of their distances from
+/// the sites and of the size of the edge (docs/PROOFS.md, "Polygons").
 constexpr double kMostOff = powerOfTwo(-38);
 
 /// Does the direction of a curve change by more than about 27 degrees?
@@ -44,7 +45,7 @@ std::span<const Point> ChordFinder::find(const EdgePiece& piece) {
   points_.clear();
   points_.push_back(curve.p0);
   halve(curve, piece.fromSegment, piece.toSegment, Conic::kMostHalvings);
-  // An edge that touches a side goes beyond it by rounding.
+  // An edge that touches a side can go beyond it by rounding.
   isAtBorder_ = false;
   for (std::size_t k = 1; k + 1 < points_.size(); ++k)
     isAtBorder_ = border_.moveInside(points_[k]) || isAtBorder_;

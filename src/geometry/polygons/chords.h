@@ -1,7 +1,8 @@
 // The chords that stand for a Voronoi edge in polygons: chosen once, for the cells on both sides.
 //
 // Polygons fit each other, whatever the tolerance: neighbours have all points of their edge in
-// common, no two chords cross, and the polygons tile what the cells tile. For that each chord
+// common, no two chords cross, and the polygons tile the same area as the cells. For that each
+// chord
 //
 //   - spans less than a quarter turn seen from both sites, counter-clockwise about the one on its
 //     left. A cell is star-shaped about its site's centre, so its chords then lie around that one

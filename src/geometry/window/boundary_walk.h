@@ -13,9 +13,8 @@
 //   - Where two neighbours come next at nearly the same place, the neighbour across the nearer edge
 //     is taken: the crossing counts as further ahead by its distance from the edge. Beyond the
 //     segment's end, it is taken only if the end is in the other cell by more than rounding.
-//   - A ring that ends in another cell than it began in returns there over cells that are as near
-//   to
-//     its first point, and edges that pass that point.
+//   - A ring that ends in another cell than it began in is led back to its first cell: over cells
+//     that are as near to its first point, and edges that pass that point.
 //
 // Cost: O(log d) for a segment and a cell of degree d that it passes through, and O(d) for each
 // such cell, which is listed a few times before its neighbours are searched (neighbor_search.h);

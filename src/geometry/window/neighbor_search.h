@@ -28,8 +28,7 @@
 //     equation whose terms differ by that. So at a point of the segment the two distances differ by
 //     at most 2^-39 N.
 //   - The current point of the walk, within 2^-46 N of the edge: it is on the segment, too.
-//   - A point of the segment where the neighbour is nearer by isNearer(), whose rounding is 2^-46
-//   N.
+//   - A point of the segment where the neighbour is nearer by isNearer(), which rounds by 2^-46 N.
 // The error of the bounds above is about 2^-50 N.
 #pragma once
 

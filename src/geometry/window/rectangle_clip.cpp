@@ -52,10 +52,10 @@ class Crossings {
   [[nodiscard]] const SideCrossing* end() const { return crossings_.data() + count_; }
 
  private:
-  /// Which sides' lines an end is beyond. Whether it is in the window at all is what its
-  /// coordinates say, because its three edges must agree on that. If it is not, beyond which lines
-  /// is the edge's own affair, and what the curve says: the coordinates of a vertex far away can be
-  /// off by more than the window.
+  /// Finds the sides whose lines an end is beyond. Its coordinates decide whether it is in the
+  /// window at all, because its three edges must agree on that. If it is not, each edge decides by
+  /// its own curve beyond which lines it is: the coordinates of a vertex far away can be off by
+  /// more than the window's size.
   static std::array<bool, 4> sidesBeyond(const std::array<LineForm, 4>& forms, const EdgeEnd& end,
                                          double e, const Rectangle& window) {
     std::array<bool, 4> beyond{};

@@ -15,12 +15,11 @@
 // right up to there; those that come to p from the left are neighbours of each other.
 //   - If two or more come to p, and not all end there, then there are two neighbours among them of
 //     which one goes on: they meet in p, and one of them has been taken out. A contradiction.
-//   - So either all that come to p end there; or just one comes to p and goes on, and another
-//   begins
-//     there; or two begin at p and overlap. Segments that end at p are removed before any that
-//     begins there is placed. If one goes through p and stays, then none that begins there stays:
-//     each becomes its neighbour in turn, as those before have been taken out, and they meet. Two
-//     that overlap have no order, and the second is taken out. A contradiction again.
+//   - So either all that come to p end there; or just one comes to p and goes on, and another one
+//     begins there; or two begin at p and overlap. Segments that end at p are removed before any
+//     that begins there is placed. If one goes through p and stays, then none that begins there
+//     stays: each becomes its neighbour in turn, as those before have been taken out, and they
+//     meet. Two that overlap have no order, and the second is taken out. A contradiction again.
 #pragma once
 
 #include <array>
