@@ -3,14 +3,20 @@
 
 /** Bytes of all kinds of values, one behind the other; numbers with all their bits. */
 class Bytes {
-  #parts = [];
+  #bytes = new Uint8Array(2 ** 20);
+  #length = 0;
+  #number = new Float64Array(1);
+  #bytesOfNumber = new Uint8Array(this.#number.buffer);
   add(value) {
     if (typeof value === "string") return this.#push(new TextEncoder().encode(`${value}\0`));
-    if (typeof value === "number") return this.#push(new Uint8Array(Float64Array.of(value).buffer));
+    if (typeof value === "number") {
+      this.#number[0] = value;
+      return this.#push(this.#bytesOfNumber);
+    }
     if (typeof value !== "object" || value === null) return this.add(String(value));
     if (ArrayBuffer.isView(value)) {
       this.add(value.length);
-      return this.#push(new Uint8Array(value.buffer, value.byteOffset, value.byteLength).slice());
+      return this.#push(new Uint8Array(value.buffer, value.byteOffset, value.byteLength));
     }
     const entries = Object.entries(value);
     this.add(entries.length);
@@ -20,10 +26,17 @@ class Bytes {
     }
   }
   #push(bytes) {
-    this.#parts.push(bytes);
+    const length = this.#length + bytes.length;
+    if (length > this.#bytes.length) {
+      const larger = new Uint8Array(2 * length);
+      larger.set(this.#bytes);
+      this.#bytes = larger;
+    }
+    this.#bytes.set(bytes, this.#length);
+    this.#length = length;
   }
   async hash() {
-    const whole = new Uint8Array(await new Blob(this.#parts).arrayBuffer());
+    const whole = this.#bytes.subarray(0, this.#length);
     const digest = new Uint8Array(await crypto.subtle.digest("SHA-256", whole));
     const digits = Array.from(digest, (byte) => byte.toString(16).padStart(2, "0"));
     return `${whole.length} bytes ${digits.join("")}`;
