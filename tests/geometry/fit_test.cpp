@@ -227,7 +227,7 @@ TEST(Fit, ReachesTargetsAcrossHolesAndSeas) {
 // changes no area. One of ten such fits ended there.
 TEST(Fit, EdgesInTheSeaBetweenIslandsComeOnLand) {
   Random random(908);
-  for (int run = 0; run < runs(600); ++run) {
+  for (int run = 0; run < runs(sized(150, 600)); ++run) {
     SCOPED_TRACE(run);
     std::vector<double> rings{0,   0,   400,  0,   400,  400,  0,   400,
                               600, 600, 1000, 600, 1000, 1000, 600, 1000};

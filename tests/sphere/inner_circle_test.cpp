@@ -36,9 +36,10 @@ bool isIn(const SphericalSites& sites, SiteId id, double reach, const SphericalP
 /// Is a disc in it, by its points on circles?
 bool isAround(const SphericalSites& sites, SiteId id, double reach, const SphericalPoint& centre,
               double r, double slack) {
-  for (int ring = 12; ring > 0; --ring) {
+  const int rings = sized(3, 12);
+  for (int ring = rings; ring > 0; --ring) {
     for (int k = 0; k < 64; ++k) {
-      const SphericalPoint p = pointAt(centre, r * ring / 12, k * kPi / 32);
+      const SphericalPoint p = pointAt(centre, r * ring / rings, k * kPi / 32);
       if (!isIn(sites, id, reach, p, slack)) return false;
     }
   }
