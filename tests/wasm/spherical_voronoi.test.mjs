@@ -175,8 +175,11 @@ describe.each(sets)("%s", (_, list) => {
 test("the tolerance of polygons is in the unit of the radius", () => {
   const places = sites(40, 0);
   const points = (r, tolerance) => {
-    const few = tolerance < 1e-8 * r ? places.slice(0, 4) : places;
-    const view = new SphericalDiagram(few.flat(), { radius: r }).voronoi({ maxDistance: r / 4 });
+    const isFine = tolerance < 1e-8 * r; // fewer and smaller cells, or there are 100 000 points
+    const diagram = new SphericalDiagram((isFine ? places.slice(0, 4) : places).flat(), {
+      radius: r,
+    });
+    const view = diagram.voronoi({ maxDistance: r / (isFine ? 100 : 4) });
     return [...view.cellPolygons({ tolerance })].map((ring) => [...ring]);
   };
   for (let r = 6360; r < 6400; ++r)
