@@ -3,19 +3,13 @@
 # options. A batch has the path of its folder, by which the wasm module is cut into parts
 # (tools/toolchain/split_wasm.mjs).
 
-# Sets `result` to the files to compile instead of `sources`; files in the folder `alone` are not
-# batched.
-function(apollonius_batches sources alone result)
-  set(files "")
+# Sets `result` to the files to compile instead of `sources`.
+function(apollonius_batches sources result)
   set(batches "")  # the text of each is in the variable of its name
   foreach(source IN LISTS sources)
     cmake_path(RELATIVE_PATH source BASE_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}"
       OUTPUT_VARIABLE path)
     cmake_path(GET path PARENT_PATH folder)
-    if(folder STREQUAL alone)
-      list(APPEND files "${source}")
-      continue()
-    endif()
     get_source_file_property(options "${source}" COMPILE_OPTIONS)
     if(NOT options)
       set(options "")
@@ -31,5 +25,5 @@ function(apollonius_batches sources alone result)
   foreach(batch IN LISTS batches)
     file(CONFIGURE OUTPUT "${batch}" CONTENT "${${batch}}" @ONLY)
   endforeach()
-  set(${result} ${files} ${batches} PARENT_SCOPE)
+  set(${result} ${batches} PARENT_SCOPE)
 endfunction()

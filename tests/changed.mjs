@@ -32,9 +32,13 @@ function filterOf(file) {
 
 const kAll = "*";
 
-/** The folder of tests that src/api and src/apollonius belong to, by the name of the file. */
-const folderOfApi = (stem) =>
-  /^(voronoi|region|region_state|area_fit|path|bounds)$/.test(stem) ? "geometry" : "diagram";
+/** The folder of tests that a file of src/api or of src/apollonius belongs to. */
+const folderOfApi = (file) => {
+  if (/\/(sphere|spherical_\w+\.h)/.test(file)) return "sphere";
+  return /\/(shapes\/|voronoi\.h|region\.h|area_fit\.h|path\.h|bounds\.h)/.test(file)
+    ? "geometry"
+    : "diagram";
+};
 
 /** The native programs to run, each with a filter: of a changed test, or of a changed source. */
 export function nativePlan(files) {
@@ -48,7 +52,7 @@ export function nativePlan(files) {
     const [top, folder] = file.split("/");
     const stem = path.basename(file).replace(/\.(cpp|h)$/, "");
     if (top === "src") {
-      const own = /^(api|apollonius)$/.test(folder) ? folderOfApi(stem) : folder;
+      const own = /^(api|apollonius)$/.test(folder) ? folderOfApi(file) : folder;
       const named = programFolders.includes(own) ? testFilesIn(own) : [];
       const about = named.filter((name) => name.startsWith(stem));
       if (about.length === 0) add(own, kAll);

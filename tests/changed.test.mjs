@@ -20,6 +20,8 @@ test("a source without a test of its name runs its folder's program", () => {
     "diagram_tests",
     "geometry_tests",
   ]);
+  expect(Object.keys(plan("src/api/shapes/region.cpp"))).toEqual(["geometry_tests"]);
+  expect(Object.keys(plan("src/api/sphere/spherical_builder.cpp"))).toEqual(["sphere_tests"]);
   expect(Object.keys(plan("tests/support/oracle.cpp"))).toContain("predicate_tests");
   expect(plan("src/predicate/gone.cpp", "README.md", "web/playground/app.ts")).toEqual({});
 });

@@ -8,7 +8,8 @@
 
 namespace apollonius::internal {
 
-Error takeNumber(double& value) {
+// Inlined into its many callers it would be two kilobytes.
+[[gnu::noinline]] Error takeNumber(double& value) {
   value = taken(value);
   if (!std::isfinite(value)) return Error::kNotFinite;
   return isInRange(value) ? Error::kNone : Error::kOutOfRange;
@@ -21,7 +22,7 @@ Error checkNumbers(std::span<const double> values) {
   return Error::kNone;
 }
 
-TakenNumbers::TakenNumbers(std::span<const double> given) : numbers_(given) {
+[[gnu::noinline]] TakenNumbers::TakenNumbers(std::span<const double> given) : numbers_(given) {
   // By their bits, as -0 equals 0.
   const auto isTaken = [](double value) {
     return std::bit_cast<std::uint64_t>(taken(value)) == std::bit_cast<std::uint64_t>(value);

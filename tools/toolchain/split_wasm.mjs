@@ -13,9 +13,8 @@ export const parts = ["core", "shapes", "sphere"];
 
 /** The folders of the parts beside core, as they occur in the paths of object files. */
 const rooms = {
-  shapes:
-    /\/src\/(geometry\/|api\/(voronoi|area_fit|region|enclosing|narrowest))|\/bindings\/shapes\./,
-  sphere: /\/src\/(sphere\/|api\/spherical_)|\/bindings\/sphere\./,
+  shapes: /\/src\/(geometry|api\/shapes)\/|\/bindings\/shapes\./,
+  sphere: /\/src\/(sphere|api\/sphere)\/|\/bindings\/sphere\./,
 };
 /** The first calls of a part by JavaScript (wasm/bindings/parts.h), through exports of core. */
 const registrations = { registerShapes: "shapes", registerSphere: "sphere" };

@@ -1,5 +1,5 @@
 #include "api/nearest_first.h"
-#include "api/spherical_checks.h"
+#include "api/sphere/spherical_checks.h"
 #include "apollonius/spherical_diagram.h"
 #include "sphere/nearby.h"
 

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "api/sites.h"
-#include "api/spherical_checks.h"
+#include "api/sphere/spherical_checks.h"
 #include "diagram/nearby_lists.h"
 #include "diagram/topmost.h"
 #include "number/fp.h"

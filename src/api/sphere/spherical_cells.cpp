@@ -3,7 +3,7 @@
 #include <limits>
 #include <numbers>
 
-#include "api/spherical_checks.h"
+#include "api/sphere/spherical_checks.h"
 #include "apollonius/spherical_diagram.h"
 #include "base/flat_array.h"
 #include "sphere/inner_circle.h"

@@ -2,7 +2,7 @@
 #include <utility>
 
 #include "api/builder.h"
-#include "api/spherical_checks.h"
+#include "api/sphere/spherical_checks.h"
 #include "apollonius/spherical_diagram.h"
 #include "sphere/projecting.h"
 #include "sphere/restoring.h"

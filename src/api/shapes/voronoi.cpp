@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "api/checks.h"
-#include "api/region_state.h"
+#include "api/shapes/region_state.h"
 #include "diagram/listing.h"
 #include "geometry/clipping/cell_drawing.h"
 #include "geometry/clipping/edge_graph.h"

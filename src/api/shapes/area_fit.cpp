@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "api/checks.h"
-#include "api/region_state.h"
+#include "api/shapes/region_state.h"
 #include "geometry/cell/area_fitter.h"
 
 namespace apollonius {
