@@ -1,9 +1,10 @@
-// Answers of figures on the pages "Hidden circles", "Asking" and "Regions and the globe", against
-// brute force in the page.
+// Answers of figures on the pages "Home", "Hidden circles", "Asking" and "Regions and the globe",
+// against brute force in the page.
 import { expect, test } from "@jest/globals";
 import { closePage, describeInBrowser, drag } from "./support/browser.mjs";
 
-const path = (name) => ({ cover: "hidden/", ask: "asking/", flood: "asking/" })[name] ?? "regions/";
+const paths = { twins: "./", cover: "hidden/", ask: "asking/", flood: "asking/" };
+const path = (name) => paths[name] ?? "regions/";
 
 describeInBrowser("answers of figures", (open) => {
   /** A page with a figure that runs, and parts of it. */
@@ -23,6 +24,53 @@ describeInBrowser("answers of figures", (open) => {
       );
     return { page, whole, text, state };
   }
+
+  test("twins: the smallest bubble under the pointer is the right one, and shares are of bubbles", async () => {
+    const { page, whole, text, state } = await figure("twins");
+    const stage = await whole.locator(".stage").boundingBox();
+    const bubbles = await state(({ circles }) => Array.from(circles, ({ x, y, r }) => [x, y, r]));
+    const inside = ([x, y, r], px, py) => Math.hypot(px - x, py - y) <= r;
+    const pick = (px, py) => {
+      const under = bubbles.filter((bubble) => inside(bubble, px, py));
+      if (under.length > 0) return bubbles.indexOf(under.sort((a, b) => a[2] - b[2])[0]);
+      const distances = bubbles.map(([x, y, r]) => Math.hypot(px - x, py - y) - r);
+      return distances.indexOf(Math.min(...distances));
+    };
+    const centre = (px, py) => {
+      const distances = bubbles.map(([x, y]) => Math.hypot(px - x, py - y));
+      return distances.indexOf(Math.min(...distances));
+    };
+    const [title, width] = [26, 740];
+    const unit = stage.width / width;
+    // A small bubble lies on the rim of the large one.
+    for (let x = 66; x <= 78; x += 3)
+      for (let y = 190; y <= 202; y += 3) {
+        await page.mouse.move(stage.x + x * unit, stage.y + (y + title) * unit);
+        await page.evaluate(() => new Promise(requestAnimationFrame));
+        const [px, py] = await state(({ at }) => at);
+        expect(Math.hypot(px - x, py - y)).toBeLessThan(1.5);
+        const isWrong = /^Nearest centre picks the wrong/.test(await text(".said"));
+        expect([px, py, isWrong]).toEqual([px, py, centre(px, py) !== pick(px, py)]);
+      }
+    const counts = { inside: 0, insideWrong: 0, all: 0, wrong: 0 };
+    for (let x = 1.5; x < 360; x += 3)
+      for (let y = 1.5; y < 360; y += 3) {
+        const right = pick(x, y);
+        const isWrong = right !== centre(x, y);
+        counts.all++;
+        if (isWrong) counts.wrong++;
+        if (!inside(bubbles[right], x, y)) continue;
+        counts.inside++;
+        if (isWrong) counts.insideWrong++;
+      }
+    const percents = (await text(".said")).match(/\d+(?= ?%)/g).map(Number);
+    expect(percents).toEqual([
+      Math.round((100 * counts.insideWrong) / counts.inside),
+      Math.round((100 * counts.wrong) / counts.all),
+    ]);
+    expect(page.errors).toEqual([]);
+    await closePage(page);
+  });
 
   test("cover: what is hidden, and on how many levels", async () => {
     const { page, whole, text, state } = await figure("cover");

@@ -1,12 +1,15 @@
 // One set of circles twice, under one pointer: in the first picture the nearest centre is picked,
-// in the second the nearest circle. Where they differ is computed, not drawn by hand.
+// in the second the circle under the pointer, else the nearest one, as `pick` does. Where they
+// differ is computed, not drawn by hand.
 import { Diagram } from "apollonius-diagram";
 import { figure, type Point } from "../figure/figure.js";
 import { drawPointer, type Pen } from "../figure/pen.js";
 import { flat, kBubbles } from "./circles.js";
 
-const kSide = 360; // of each picture
-const kGap = 24;
+const kSide = 360; // width of each picture, and its height on wide screens
+const kLow = 216; // its height on a phone, whose first screen holds both pictures
+const kTitle = 26; // height of the title above each picture
+const kGap = 20;
 const kStep = 3; // units between the places that are asked
 const kPause = 2.2; // seconds at each place
 const kTravel = 1.1; // seconds on the way
@@ -15,42 +18,54 @@ const kLeg = kPause + kTravel;
 type State = {
   centres: Diagram;
   circles: Diagram;
-  right: Point; // where the second picture begins
-  share: number; // of places where the pick is wrong
+  height: number; // of each picture
+  second: Point; // where the second picture begins
+  shares: { inside: number; all: number }; // of places where the pick is wrong
   tour: Point[]; // where the ghost pointer goes, once: wrong picks and a right one
   time: number; // seconds of the tour
   at: Point;
   isLed: boolean; // by the reader
 };
 
-const windowOf = (): [number, number, number, number] => [0, 0, kSide, kSide];
-
-/** Where the picks differ: their share, and the worst place: in one circle, another one picked. */
-function compare(centres: Diagram, circles: Diagram) {
+/** Where the picks differ: their shares, and the worst place: in one circle, another one picked. */
+function compare(centres: Diagram, circles: Diagram, height: number) {
   const places: number[] = [];
-  for (let y = kStep / 2; y < kSide; y += kStep)
+  for (let y = kStep / 2; y < height; y += kStep)
     for (let x = kStep / 2; x < kSide; x += kStep) places.push(x, y);
   const xy = Float64Array.from(places);
-  const picked = centres.findMany(xy);
-  const { ids: nearest, distances } = circles.nearestMany(xy);
-  let wrong = 0;
+  const byCentre = centres.findMany(xy);
+  const picks = circles.pickMany(xy);
+  const distance = (id: number, k: number) => {
+    const { x, y, r } = circles.site(id);
+    return Math.hypot(xy[2 * k] - x, xy[2 * k + 1] - y) - r;
+  };
+  let [inside, wrong, wrongInside] = [0, 0, 0];
   let worst: Point = [0, 0];
   let most = -Infinity;
-  for (const [k, id] of picked.entries()) {
-    if (id === nearest[k]) continue;
+  for (const [k, id] of byCentre.entries()) {
+    const own = distance(picks[k], k);
+    if (own <= 0) inside++;
+    if (id === picks[k]) continue;
     wrong++;
-    const { x, y, r } = circles.site(id);
-    const miss =
-      Math.hypot(xy[2 * k] - x, xy[2 * k + 1] - y) - r + 2 * Math.min(0, -distances[k] - 14);
+    if (own <= 0) wrongInside++;
+    const miss = distance(id, k) + 2 * Math.min(0, -own - 14);
     if (miss > most) [most, worst] = [miss, [xy[2 * k], xy[2 * k + 1]]];
   }
-  return { share: wrong / picked.length, worst };
+  return { shares: { inside: wrongInside / inside, all: wrong / byCentre.length }, worst };
 }
 
-function drawSide(pen: Pen, { circles, at }: State, picked: Diagram, isCentres: boolean) {
-  const chosen = picked.find(...at);
-  const isWrong = chosen !== circles.find(...at);
-  const view = picked.voronoi(windowOf());
+/** The circle that each picture lights up. */
+const chosenIn = ({ centres, circles, at }: State) => ({
+  byCentre: centres.find(...at),
+  byCircle: circles.pick(...at),
+});
+
+function drawSide(pen: Pen, state: State, isCentres: boolean) {
+  const { centres, circles, at, height } = state;
+  const { byCentre, byCircle } = chosenIn(state);
+  const chosen = isCentres ? byCentre : byCircle;
+  const isWrong = chosen !== byCircle;
+  const view = (isCentres ? centres : circles).voronoi([0, 0, kSide, height]);
   pen.path(view.renderCell(chosen), isWrong ? "wrongArea" : "nearestCell");
   for (const [id, [x, y, r]] of kBubbles.entries())
     pen.circle(x, y, r, id !== chosen ? "circle" : isWrong ? "wrong" : "nearest");
@@ -66,18 +81,32 @@ function drawSide(pen: Pen, { circles, at }: State, picked: Diagram, isCentres: 
     isWrong ? "conflict" : "ruler",
   );
   drawPointer(pen, ...at);
-  pen.rectangle(0, 0, kSide, kSide, "frame");
+  pen.rectangle(0, 0, kSide, height, "frame");
 }
 
+function drawPicture(pen: Pen, state: State, [x, y]: Point, isCentres: boolean) {
+  const title = isCentres ? "The nearest centre" : "The nearest circle";
+  pen.text(title, x, y - kTitle / 2, isCentres ? "quiet" : "name", { size: 14, isBold: true });
+  pen.inside(x, y, kSide, state.height, () => drawSide(pen, state, isCentres));
+}
+
+const kFirst: Point = [0, kTitle]; // where the first picture begins
+const secondOf = (isNarrow: boolean): Point =>
+  isNarrow ? [0, 2 * kTitle + kLow + kGap] : [kSide + kGap, kTitle];
+
 export default figure<State>({
-  size: { wide: [2 * kSide + kGap, kSide], narrow: [kSide, 2 * kSide + kGap] },
+  size: {
+    wide: [2 * kSide + kGap, kTitle + kSide],
+    narrow: [kSide, 2 * (kTitle + kLow) + kGap],
+  },
   start(_, isNarrow) {
     const circles = new Diagram(flat(kBubbles));
     const centres = new Diagram(flat(kBubbles.map(([x, y]) => [x, y, 0])));
-    const { share, worst } = compare(centres, circles);
-    const right: Point = isNarrow ? [0, kSide + kGap] : [kSide + kGap, 0];
+    const height = isNarrow ? kLow : kSide;
+    const { shares, worst } = compare(centres, circles, height);
+    const second = secondOf(isNarrow);
     const tour: Point[] = [worst, [60, 150], [225, 92], worst];
-    return { centres, circles, right, share, tour, time: 0, at: worst, isLed: false };
+    return { centres, circles, height, second, shares, tour, time: 0, at: worst, isLed: false };
   },
   tick(state, seconds, isReduced) {
     if (isReduced || state.isLed) return false;
@@ -94,25 +123,29 @@ export default figure<State>({
     state.isLed = at !== null;
     if (!at) return;
     state.time = 0; // it sets out again when the reader has left
-    const [dx, dy] = state.right;
-    const isRight = at[0] >= dx && at[1] >= dy;
-    const inSide = (value: number) => Math.max(0, Math.min(kSide, value));
-    state.at = [inSide(at[0] - (isRight ? dx : 0)), inSide(at[1] - (isRight ? dy : 0))];
+    const [left, top] = state.second;
+    const isSecond = at[0] >= left && at[1] >= top - kTitle;
+    const [x, y] = isSecond ? state.second : kFirst;
+    const inSide = (value: number, side: number) => Math.max(0, Math.min(side, value));
+    state.at = [inSide(at[0] - x, kSide), inSide(at[1] - y, state.height)];
   },
   draw(pen, state) {
-    pen.inside(0, 0, kSide, kSide, () => drawSide(pen, state, state.centres, true));
-    pen.inside(...state.right, kSide, kSide, () => drawSide(pen, state, state.circles, false));
+    drawPicture(pen, state, kFirst, true);
+    drawPicture(pen, state, state.second, false);
   },
-  say({ centres, circles, at, share }) {
-    const isWrong = centres.find(...at) !== circles.find(...at);
-    const percent = `${Math.round(100 * share)} %`;
+  say(state) {
+    const { byCentre, byCircle } = chosenIn(state);
+    const { inside, all } = state.shares;
+    const percent = (share: number) => `${Math.round(100 * share)} %`;
     return [
-      isWrong
+      byCentre !== byCircle
         ? ["Nearest centre picks the wrong bubble here. ", "wrong"]
-        : "Here both pick the same circle. ",
+        : "Here both pick the same bubble. ",
       "Picking by centre is wrong on ",
-      [percent, "wrong"],
-      " of this picture.",
+      [percent(inside), "wrong"],
+      " of the bubbles, and on ",
+      [percent(all), "wrong"],
+      " of the whole picture.",
     ];
   },
   circles: () => flat(kBubbles),
