@@ -91,6 +91,23 @@ describeInBrowser("the site", (open, server) => {
     await closePage(page);
   });
 
+  test.each([
+    390, 360, 320,
+  ])("home, %i wide: both pictures and Examples without scrolling", async (width) => {
+    const page = await visit("./", { ...kPhone, viewport: { width, height: 740 } });
+    const bottoms = await page.evaluate(() =>
+      [".bar [href$='examples/']", "[data-figure] .stage"].map(
+        (part) => document.querySelector(part).getBoundingClientRect().bottom,
+      ),
+    );
+    expect(Math.min(...bottoms)).toBeGreaterThan(0); // shown at all
+    expect(Math.max(...bottoms)).toBeLessThan(740);
+    expect(await page.locator("[data-figure] .said").first().textContent()).toMatch(
+      /of the bubbles/,
+    );
+    await closePage(page);
+  });
+
   test("links lead to pages that are there, and to headings that are there", async () => {
     const ids = new Map();
     const wanted = new Map();

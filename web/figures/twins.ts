@@ -6,8 +6,9 @@ import { figure, type Point } from "../figure/figure.js";
 import { drawPointer, type Pen } from "../figure/pen.js";
 import { flat, kBubbles } from "./circles.js";
 
-const kSide = 360; // width of each picture, and its height on wide screens
-const kLow = 216; // its height on a phone, whose first screen holds both pictures
+/** Width and height of each picture; on a phone, whose first screen holds both, parts of them. */
+const kWide = [360, 360] as const;
+const kNarrow = [212, 262] as const;
 const kTitle = 26; // height of the title above each picture
 const kGap = 20;
 const kStep = 3; // units between the places that are asked
@@ -18,8 +19,7 @@ const kLeg = kPause + kTravel;
 type State = {
   centres: Diagram;
   circles: Diagram;
-  height: number; // of each picture
-  second: Point; // where the second picture begins
+  size: readonly [number, number]; // of each picture
   shares: { inside: number; all: number }; // of places where the pick is wrong
   tour: Point[]; // where the ghost pointer goes, once: wrong picks and a right one
   time: number; // seconds of the tour
@@ -28,10 +28,10 @@ type State = {
 };
 
 /** Where the picks differ: their shares, and the worst place: in one circle, another one picked. */
-function compare(centres: Diagram, circles: Diagram, height: number) {
+function compare(centres: Diagram, circles: Diagram, [width, height]: State["size"]) {
   const places: number[] = [];
   for (let y = kStep / 2; y < height; y += kStep)
-    for (let x = kStep / 2; x < kSide; x += kStep) places.push(x, y);
+    for (let x = kStep / 2; x < width; x += kStep) places.push(x, y);
   const xy = Float64Array.from(places);
   const byCentre = centres.findMany(xy);
   const picks = circles.pickMany(xy);
@@ -61,11 +61,11 @@ const chosenIn = ({ centres, circles, at }: State) => ({
 });
 
 function drawSide(pen: Pen, state: State, isCentres: boolean) {
-  const { centres, circles, at, height } = state;
+  const { centres, circles, at, size } = state;
   const { byCentre, byCircle } = chosenIn(state);
   const chosen = isCentres ? byCentre : byCircle;
   const isWrong = chosen !== byCircle;
-  const view = (isCentres ? centres : circles).voronoi([0, 0, kSide, height]);
+  const view = (isCentres ? centres : circles).voronoi([0, 0, ...size]);
   pen.path(view.renderCell(chosen), isWrong ? "wrongArea" : "nearestCell");
   for (const [id, [x, y, r]] of kBubbles.entries())
     pen.circle(x, y, r, id !== chosen ? "circle" : isWrong ? "wrong" : "nearest");
@@ -81,32 +81,33 @@ function drawSide(pen: Pen, state: State, isCentres: boolean) {
     isWrong ? "conflict" : "ruler",
   );
   drawPointer(pen, ...at);
-  pen.rectangle(0, 0, kSide, height, "frame");
+  pen.rectangle(0, 0, ...size, "frame");
 }
 
-function drawPicture(pen: Pen, state: State, [x, y]: Point, isCentres: boolean) {
-  const title = isCentres ? "The nearest centre" : "The nearest circle";
-  pen.text(title, x, y - kTitle / 2, isCentres ? "quiet" : "name", { size: 14, isBold: true });
-  pen.inside(x, y, kSide, state.height, () => drawSide(pen, state, isCentres));
+/** Where the second picture begins. */
+const secondOf = ([width]: State["size"]) => width + kGap;
+
+function drawPicture(pen: Pen, state: State, isCentres: boolean) {
+  const x = isCentres ? 0 : secondOf(state.size);
+  const title = isCentres ? "Nearest centre" : "Nearest circle";
+  pen.text(title, x + 10, kTitle / 2, isCentres ? "quiet" : "name", { size: 13, isBold: true });
+  pen.inside(x, kTitle, ...state.size, () => drawSide(pen, state, isCentres));
 }
 
-const kFirst: Point = [0, kTitle]; // where the first picture begins
-const secondOf = (isNarrow: boolean): Point =>
-  isNarrow ? [0, 2 * kTitle + kLow + kGap] : [kSide + kGap, kTitle];
+const sizeOf = ([width, height]: State["size"]): [number, number] => [
+  2 * width + kGap,
+  kTitle + height,
+];
 
 export default figure<State>({
-  size: {
-    wide: [2 * kSide + kGap, kTitle + kSide],
-    narrow: [kSide, 2 * (kTitle + kLow) + kGap],
-  },
+  size: { wide: sizeOf(kWide), narrow: sizeOf(kNarrow) },
   start(_, isNarrow) {
     const circles = new Diagram(flat(kBubbles));
     const centres = new Diagram(flat(kBubbles.map(([x, y]) => [x, y, 0])));
-    const height = isNarrow ? kLow : kSide;
-    const { shares, worst } = compare(centres, circles, height);
-    const second = secondOf(isNarrow);
-    const tour: Point[] = [worst, [60, 150], [225, 92], worst];
-    return { centres, circles, height, second, shares, tour, time: 0, at: worst, isLed: false };
+    const size = isNarrow ? kNarrow : kWide;
+    const { shares, worst } = compare(centres, circles, size);
+    const tour: Point[] = [worst, [60, 150], [200, 92], worst];
+    return { centres, circles, size, shares, tour, time: 0, at: worst, isLed: false };
   },
   tick(state, seconds, isReduced) {
     if (isReduced || state.isLed) return false;
@@ -123,15 +124,15 @@ export default figure<State>({
     state.isLed = at !== null;
     if (!at) return;
     state.time = 0; // it sets out again when the reader has left
-    const [left, top] = state.second;
-    const isSecond = at[0] >= left && at[1] >= top - kTitle;
-    const [x, y] = isSecond ? state.second : kFirst;
+    const [width, height] = state.size;
+    const second = secondOf(state.size);
     const inSide = (value: number, side: number) => Math.max(0, Math.min(side, value));
-    state.at = [inSide(at[0] - x, kSide), inSide(at[1] - y, state.height)];
+    const x = at[0] < second ? at[0] : at[0] - second;
+    state.at = [inSide(x, width), inSide(at[1] - kTitle, height)];
   },
   draw(pen, state) {
-    drawPicture(pen, state, kFirst, true);
-    drawPicture(pen, state, state.second, false);
+    drawPicture(pen, state, true);
+    drawPicture(pen, state, false);
   },
   say(state) {
     const { byCentre, byCircle } = chosenIn(state);
