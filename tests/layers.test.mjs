@@ -212,7 +212,12 @@ const rules = [
   },
   {
     of: /^web\/recipes\/.*\.ts$/,
-    may: [/^\.(\/limited_loops|\.\/shared\/(dom|errors))\.js$/, /\.css\?raw$/, /^acorn(-walk)?$/],
+    may: [
+      /^\.(\/limited_time|\.\/shared\/(dom|errors))\.js$/,
+      /\.css\?raw$/,
+      /^acorn(-walk)?$/,
+      /^\.\.\/\.\.\/package\.json$/,
+    ],
   },
   {
     of: /^web\/figures\/.*\.ts$/,

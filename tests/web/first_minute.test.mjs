@@ -34,7 +34,10 @@ describeInBrowser("from the package's address", (open) => {
   /** Opens HTML as a page of another site, with the packed files at their address. */
   async function show(page, html) {
     await page.route("https://cdn.jsdelivr.net/npm/apollonius-diagram**", (route) => {
-      const [, file] = route.request().url().split("/npm/apollonius-diagram");
+      const [, file] = route
+        .request()
+        .url()
+        .split(/\/npm\/apollonius-diagram(?:@[\d.]+)?/);
       route.fulfill({
         path: path.join(root, file || "dist/apollonius.js"),
         contentType: "text/javascript",
@@ -64,9 +67,16 @@ describeInBrowser("from the package's address", (open) => {
     });
     const recipe = page.locator(".recipe", { hasText: "airports" });
     await recipe.locator(".copy-page").click();
-    const html = await page.waitForFunction(() => window.copied);
-    await show(page, await html.jsonValue());
-    await page.waitForSelector("svg .area");
+    const html = await (await page.waitForFunction(() => window.copied)).jsonValue();
+    const { version } = JSON.parse(readFileSync(path.join(root, "package.json"), "utf8"));
+    expect(html).toContain(`/npm/apollonius-diagram@${version}/dist/esm/index.js`);
+    await show(page, html);
+    const area = page.locator("svg .area").first();
+    const lookOf = (one) => one.evaluate((shape) => getComputedStyle(shape).fill);
+    await area.waitFor();
+    expect(await page.title()).toMatch(/^I want/);
+    expect(await lookOf(area)).toMatch(/^rgb/);
+    expect(await lookOf(area)).not.toBe("rgb(0, 0, 0)");
     expect(page.errors).toEqual([]);
     await closePage(page);
   });

@@ -110,10 +110,30 @@ describeInBrowser("recipe cards", (open) => {
     expect(colors[0]).toBe(colors[1]);
     await runWith(card, "const = 3;");
     expect(await failed.textContent()).toMatch(/^Line 1: .*SyntaxError/);
+    const wrong = 'import { Diagram } from "apollonius-diagram";\nnew Diagram([0, 0, NaN]);';
+    await runWith(card, wrong); // thrown in a line of the library
+    expect(await failed.textContent()).toMatch(/^Line 2: ApolloniusError: /);
     await runWith(card, 'import { scaleLinear } from "d3-scale";');
     expect(await failed.textContent()).toMatch(/d3-scale/);
     await runWith(card, 'await Promise.reject(new Error("too late"));');
     await failed.filter({ hasText: "too late" }).waitFor();
+    await card.getByRole("button", { name: "Reset" }).click();
+    await endOf(card);
+    expect(await failed.isVisible()).toBe(false);
+    await closePage(page);
+  });
+
+  test("a callback that is called without an end is stopped; Run and Reset answer afterwards", async () => {
+    const page = await open({ ...kRecipes, isAlone: true });
+    const card = await cardOf(page, "I want areas by value");
+    const failed = card.locator(".failed");
+    await runWith(
+      card,
+      "let n = 0;\nArray.from({ length: 1e6 }).forEach((_, k, all) => { all.forEach((x) => n++); });",
+    );
+    expect(await failed.textContent()).toMatch(/^Line 2: Error: the program was stopped/);
+    await runWith(card, "console.log([3, 1, 2].map((x) => ({ x })).map(({ x }) => x).join());");
+    expect(await card.locator(".printed").textContent()).toBe("3,1,2\n");
     await card.getByRole("button", { name: "Reset" }).click();
     await endOf(card);
     expect(await failed.isVisible()).toBe(false);
@@ -128,9 +148,9 @@ describeInBrowser("recipe cards", (open) => {
       card,
       "let n = 0;\nwhile (true)\n  for (let k = 0; k < 9; ++k) try { n++; } catch {}",
     );
-    expect(await failed.textContent()).toMatch(/^Line [23]: Error: the loop was stopped/);
+    expect(await failed.textContent()).toMatch(/^Line [23]: Error: the program was stopped/);
     await runWith(card, "let n = 0;\ndo await n++;\nwhile (n >= 0);");
-    await failed.filter({ hasText: /^Line 2: Error: the loop was stopped/ }).waitFor();
+    await failed.filter({ hasText: /^Line 2: Error: the program was stopped/ }).waitFor();
     await runWith(
       card,
       `const pause = () => new Promise((go) => setTimeout(go, 10));
@@ -191,7 +211,7 @@ describeInFirefox("recipe cards in Firefox", (open) => {
     await page.click(".recipe .run");
     await page.waitForSelector(".recipe[data-state=failed]");
     expect(await page.$eval(".recipe .failed", (said) => said.textContent)).toMatch(
-      "Line 1: Error: the loop was stopped",
+      "Line 1: Error: the program was stopped",
     );
     await page.close();
   });

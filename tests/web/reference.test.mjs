@@ -57,7 +57,7 @@ describeInBrowser("the reference", (open) => {
     const rows = await page.evaluate(
       () =>
         new Set(
-          [...document.querySelectorAll(".bar nav > :not(.search)")]
+          [...document.querySelectorAll(".bar nav > :not(.search, [href$='examples/'])")]
             .filter(({ offsetWidth }) => offsetWidth > 0)
             .map(({ offsetTop }) => offsetTop),
         ).size,

@@ -1,7 +1,8 @@
 // Cards with a program to change, and what it shows: those of the page "Recipes", and examples of
 // the reference. A program runs in a sandbox (frame.html), anew each time, when its card is first
-// seen and when that is asked for. A changed program's loops end after some seconds
-// (limited_loops.ts).
+// seen and when that is asked for. A changed program ends when it has computed for some seconds
+// (limited_time.ts).
+import { version } from "../../package.json";
 import { make } from "../shared/dom.js";
 import { messageOf } from "../shared/errors.js";
 import theme from "../theme.css?raw";
@@ -10,7 +11,7 @@ import style from "./frame.css?raw";
 const site = new URL(document.documentElement.dataset.root ?? "./", location.href);
 
 const kNear = "100px"; // below the window
-/** ms until something is said of a program that has not ended: loops are stopped by then. */
+/** ms until something is said of a program that goes on; one that computes is stopped by then. */
 const kPatience = 8000;
 const kParts = ["core", "shapes", "sphere", "treemap"];
 /** The entries of the package, and with them what these import. */
@@ -48,24 +49,40 @@ async function loadModules(): Promise<Record<string, string>> {
 }
 let modules: Promise<Record<string, string>> | null = null;
 
-const kAddress = "https://cdn.jsdelivr.net/npm/apollonius-diagram/dist/esm/";
+const kAddress = `https://cdn.jsdelivr.net/npm/apollonius-diagram@${version}/dist/esm/`;
 
-/** A program as a page that needs no other file of its own: the package comes from its address. */
-function pageOf(program: string): string {
+/**
+ * A program as a page that needs no other file of its own: with the style of the sandbox, and the
+ * package of this version from its address.
+ */
+function pageOf(title: string, program: string): string {
   const entries = kEntries.map((file) => [nameOf(file), `${kAddress}${file}.js`]);
   const map = JSON.stringify({ imports: Object.fromEntries(entries) }, null, 2);
-  return [
-    '<!doctype html>\n<meta charset="utf-8">',
-    `<script type="importmap">\n${map}\n</script>`,
-    `<body>\n<script type="module">\n${program.trimEnd()}\n</script>\n`,
-  ].join("\n");
+  const head = make("title", { textContent: title }).outerHTML;
+  return `<!doctype html>
+<html lang="en">
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<meta name="color-scheme" content="light dark">
+${head}
+<style>
+${(theme + style).trimEnd()}
+</style>
+<script type="importmap">
+${map}
+</script>
+<body>
+<script type="module">
+${program.trimEnd()}
+</script>
+`;
 }
 
 /** The program of a card, to be run. The parser comes with the first program that is changed. */
 async function limited({ value, defaultValue }: HTMLTextAreaElement): Promise<string> {
   if (value === defaultValue) return value;
-  const { withLimitedLoops } = await import("./limited_loops.js");
-  return withLimitedLoops(value);
+  const { withLimitedTime } = await import("./limited_time.js");
+  return withLimitedTime(value);
 }
 
 class Card {
@@ -99,7 +116,8 @@ class Card {
     });
     const copy = find(".copy-page");
     copy.addEventListener("click", async () => {
-      await navigator.clipboard.writeText(pageOf(this.#code.value));
+      const title = this.#title.replace("Program: ", "");
+      await navigator.clipboard.writeText(pageOf(title, this.#code.value));
       copy.textContent = "Copied";
     });
     this.#code.addEventListener("input", () => this.#fit());

@@ -13,15 +13,27 @@
   for (const kind of ["log", "info", "warn", "error"])
     console[kind] = (...values) => tell({ kind: "print", text: values.map(textOf).join(" ") });
 
+  let address = ""; // of the program
+  Error.stackTraceLimit = 50; // Chromium's ten calls can all be the library's
+  /** The line of the program that was being run, if an error's stack tells. */
+  const lineOf = (error) => {
+    const stack = String(error?.stack ?? "");
+    const at = address === "" ? -1 : stack.indexOf(`${address}:`);
+    return at < 0 ? undefined : Number.parseInt(stack.slice(at + address.length + 1), 10);
+  };
   const fail = (message, line) => tell({ kind: "failed", message, line });
-  addEventListener("error", ({ error, message, lineno }) =>
-    fail(String(error ?? message), error?.lineOfLoop ?? lineno),
+  addEventListener("error", ({ error, message, filename, lineno }) => {
+    const own = filename === address ? lineno : undefined; // of a syntax error, say
+    fail(String(error ?? message), error?.turnedAt ?? lineOf(error) ?? own);
+  });
+  addEventListener("unhandledrejection", ({ reason }) =>
+    fail(String(reason), reason?.turnedAt ?? lineOf(reason)),
   );
-  addEventListener("unhandledrejection", ({ reason }) => fail(String(reason), reason?.lineOfLoop));
 
-  const kLongest = 5; // seconds that loops may run without a pause, in which this page can answer
+  /** Seconds that a program may compute without a pause, in which this page can answer. */
+  const kLongest = 5;
   let since = 0;
-  globalThis.$turn = (lineOfLoop) => {
+  globalThis.$turn = (turnedAt) => {
     const now = performance.now();
     if (since === 0) {
       since = now;
@@ -29,8 +41,8 @@
         since = 0;
       });
     } else if (now - since > 1000 * kLongest) {
-      const message = `the loop was stopped: it ran for more than ${kLongest} s`;
-      throw Object.assign(new Error(message), { lineOfLoop });
+      const message = `the program was stopped: it computed for ${kLongest} s without a pause`;
+      throw Object.assign(new Error(message), { turnedAt });
     }
   };
 
@@ -48,7 +60,8 @@
     new ResizeObserver(() => {
       tell({ kind: "height", height: document.body.offsetHeight });
     }).observe(document.body);
-    script({ type: "module", src: addressOf(program), onload: () => tell({ kind: "done" }) });
+    address = addressOf(program);
+    script({ type: "module", src: address, onload: () => tell({ kind: "done" }) });
   });
   addEventListener("load", () => tell({ kind: "ready" }));
 }
