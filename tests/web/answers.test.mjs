@@ -25,7 +25,7 @@ describeInBrowser("answers of figures", (open) => {
     return { page, whole, text, state };
   }
 
-  test("twins: the smallest bubble under the pointer is the right one, and shares are of bubbles", async () => {
+  test("twins: the smallest bubble under the pointer is right; shares are of bubbles", async () => {
     const { page, whole, text, state } = await figure("twins");
     const stage = await whole.locator(".stage").boundingBox();
     const bubbles = await state(({ circles }) => Array.from(circles, ({ x, y, r }) => [x, y, r]));

@@ -123,13 +123,13 @@ describeInBrowser("recipe cards", (open) => {
     await closePage(page);
   });
 
-  test("a callback that is called without an end is stopped; Run and Reset answer afterwards", async () => {
+  test("callbacks without an end are stopped; Run and Reset answer afterwards", async () => {
     const page = await open({ ...kRecipes, isAlone: true });
     const card = await cardOf(page, "I want areas by value");
     const failed = card.locator(".failed");
     await runWith(
       card,
-      "let n = 0;\nArray.from({ length: 1e6 }).forEach((_, k, all) => { all.forEach((x) => n++); });",
+      "let n = 0;\nArray.from({ length: 1e6 }).forEach((_, k, all) => all.forEach(() => n++));",
     );
     expect(await failed.textContent()).toMatch(/^Line 2: Error: the program was stopped/);
     await runWith(card, "console.log([3, 1, 2].map((x) => ({ x })).map(({ x }) => x).join());");
