@@ -39,6 +39,10 @@ describeInBrowser("files", (open) => {
         [1, 2, 3, 4, 5, 6],
       ],
       ["names that begin with #", "name,x,y,r\n#1,1,2,3\n# nothing\n", [1, 2, 3]],
+      ["spaces, some of them several", "x y r\n 1 2   3 \n4  5 6", [1, 2, 3, 4, 5, 6]],
+      ["thousands with commas", 'x,y,r\n"1,234","-1,234,567.5",10', [1234, -1234567.5, 10]],
+      ["thousands beside semicolons", "x;y;r\n1,234,567;2;3", [1234567, 2, 3]],
+      ["names in German", "Länge;Breite;reach\n7,5;51;2", [7.5, 51, 2]],
       ["units after names", "X (km)\tY (km)\tRadius [km]\n1\t2\t3", [1, 2, 3]],
       ["a radius that is called weight", "weight,y,x\n3,2,1", [1, 2, 3]],
       ["a separator within quotes", 'name,x,y,r\n"a; b",1,2,3', [1, 2, 3]],
@@ -46,6 +50,19 @@ describeInBrowser("files", (open) => {
       await loadText(text);
       await page.waitForFunction((size) => app.diagram.size === size, expected.length / 3);
       expect((await numbers()).flat()).toEqual(expected);
+    });
+
+    test.each([
+      ["utf8", false],
+      ["latin1", true],
+      ["utf16le", false],
+    ])("a file in %s", async (encoding, isSaid) => {
+      const text = `${encoding === "utf16le" ? "\uFEFF" : ""}x,y,r,name\n1,2,3,Köln\n`;
+      const buffer = Buffer.from(text, encoding);
+      await page.setInputFiles("#file", { name: "a.csv", mimeType: "text/csv", buffer });
+      await page.waitForFunction(() => app.diagram.size === 1);
+      expect(await labels()).toEqual([[0, { name: "Köln" }]]);
+      if (isSaid) expect(await notice()).toMatch(/not UTF-8.*Windows-1252/);
     });
 
     test.each(["value", "size", "population", "area"])("%s is an area", async (column) => {

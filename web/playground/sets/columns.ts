@@ -6,9 +6,9 @@ export type Row = { x: number; y: number; r: number; name?: string; detail?: str
 
 /** In order of preference, in small letters. */
 const kNames = {
-  x: ["x", "cx", "lon", "lng", "long", "longitude"],
-  y: ["y", "cy", "lat", "latitude"],
-  r: ["r", "radius", "weight"],
+  x: ["x", "cx", "lon", "lng", "long", "longitude", "länge", "laenge"],
+  y: ["y", "cy", "lat", "latitude", "breite"],
+  r: ["r", "radius", "weight", "range", "reach", "distance"],
   area: ["value", "size", "area", "population", "pop", "people", "count", "amount", "total"],
   name: ["name", "label", "title", "city", "id"],
   detail: ["detail", "description"],
