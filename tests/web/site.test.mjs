@@ -108,6 +108,21 @@ describeInBrowser("the site", (open, server) => {
     await closePage(page);
   });
 
+  test("the first Tab reaches a link to the text, which skips the bar", async () => {
+    const page = await visit("why/", kDesk);
+    await page.keyboard.press("Tab");
+    const focused = () =>
+      page.evaluate(() => {
+        const { top } = document.activeElement.getBoundingClientRect();
+        return [document.activeElement.className || document.activeElement.tagName, top >= 0];
+      });
+    expect(await focused()).toEqual(["skip", true]);
+    await page.keyboard.press("Enter");
+    await page.keyboard.press("Tab");
+    expect(await page.evaluate(() => document.activeElement.closest("main") !== null)).toBe(true);
+    await closePage(page);
+  });
+
   test("links lead to pages that are there, and to headings that are there", async () => {
     const ids = new Map();
     const wanted = new Map();

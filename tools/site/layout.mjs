@@ -90,8 +90,9 @@ export function layout(page, body, pages) {
 <script type="module" src="/figure/page.ts"></script>
 </head>
 <body class="${page.key === "home" ? "home" : page.side ? "article has-side" : "article"}">
+<a class="skip" href="#content">Skip to the text</a>
 ${navigation(page, pages)}
-${page.side ? sideHtml(page.side) : ""}<main data-pagefind-body${weightOf(page)}>
+${page.side ? sideHtml(page.side) : ""}<main id="content" tabindex="-1" data-pagefind-body${weightOf(page)}>
 ${body}
 ${neighbors(page, pages)}
 </main>
