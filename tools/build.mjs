@@ -74,7 +74,7 @@ function asString(bytes) {
   const swaps = unfit.map((code) => [code, low.shift()]);
   // Not all that would make the file shorter: the order of the others means something, and helps
   // compression.
-  for (let k = 0; counts[high[k]] > counts[low[k]] + bytes.length / 224; ++k)
+  for (let k = 0; counts[high[k]] > counts[low[k]] + bytes.length / 180; ++k)
     swaps.push([low[k], high[k]]);
   for (const [a, b] of swaps) [codes[a], codes[b]] = [b, a];
   const texts = codes.map((code) => escapes[code] ?? String.fromCharCode(code));

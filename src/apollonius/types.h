@@ -12,6 +12,8 @@ namespace apollonius {
 /// A site's public name: stable while the site lives; ids of removed sites are used again.
 using SiteId = std::uint32_t;
 inline constexpr SiteId kNoSite = 0xFFFFFFFFu;
+/// In place of the number of a group: the site is in none.
+inline constexpr std::uint32_t kNoGroup = 0xFFFFFFFFu;
 
 /// Most sites that one diagram can hold.
 inline constexpr std::size_t kMostSites = std::size_t{1} << 29;

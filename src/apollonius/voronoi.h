@@ -77,7 +77,7 @@ struct CoverageArrays {
   std::vector<double> coordinates;    ///< as in RingArrays
   std::vector<std::uint32_t> starts;  ///< as in RingArrays
   std::vector<std::uint32_t> parts;   ///< as in RingArrays
-  std::vector<std::uint32_t> sites;   ///< those that have a part, ascending
+  std::vector<std::uint32_t> sites;   ///< those that have a part, or groups of sites; ascending
   std::vector<std::uint32_t>
       cells;  ///< the first part of each of these, and the number of parts at the end
 };
@@ -157,7 +157,12 @@ class APOLLONIUS_EXPORT Voronoi {
   /// This is proved, and the sum of the areas is compared with the window's. Errors also: kBroken,
   /// a defect of the library (after a trusted snapshot kCorruptSnapshot, a defect of its bytes).
   /// Cost: O(n) for sites spread evenly, less than a loop of cellPolygon.
-  [[nodiscard]] Error cellPolygons(double tolerance, CoverageArrays& coverage) const;
+  ///
+  /// `groups` may have the number of a group for each id. Then the cells of a group are united:
+  /// segments between two of them are left out. Sites with kNoGroup, and those beyond the end of
+  /// `groups`, have no polygon. Cost then: O(m log m) for m points.
+  [[nodiscard]] Error cellPolygons(double tolerance, CoverageArrays& coverage,
+                                   std::span<const std::uint32_t> groups = {}) const;
   /// The polygons of the sites with ids from `first` to before `end`, each as cellPolygon() gives
   /// it: many at a time, but not all at once.
   [[nodiscard]] Error cellPolygonsBetween(SiteId first, SiteId end, double tolerance,

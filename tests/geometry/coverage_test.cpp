@@ -258,5 +258,34 @@ TEST(Coverage, OfManySitesOnACircle) {
   }
 }
 
+// The cells of a lattice as the squares of a chessboard: those of a colour meet in corners only.
+TEST(Groups, LeaveOutTheSegmentsBetweenTheirCells) {
+  Circles circles;
+  for (int k = 0; k < 64; ++k) circles.push_back({k % 8 + 0.5, k / 8 + 0.5, 0});
+  Diagram diagram;
+  insertInto(diagram, circles);
+  const Voronoi voronoi(diagram, Bounds{0, 0, 8, 8});
+  std::vector<std::uint32_t> groups(64);
+  const auto found = [&] {
+    CoverageArrays coverage;
+    EXPECT_EQ(voronoi.cellPolygons(0.1, coverage, groups), Error::kNone);
+    return coverage;
+  };
+  for (std::uint32_t k = 0; k < 64; ++k) groups[k] = 7 + (k + k / 8) % 2;
+  const CoverageArrays colours = found();
+  EXPECT_EQ(colours.sites, (std::vector<std::uint32_t>{7, 8}));
+  EXPECT_EQ(colours.parts.size(), 64u + 1);
+  for (std::uint32_t k = 0; k < 64; ++k) groups[k] = k < 24 ? 1 : k < 32 ? kNoGroup : 0;
+  const CoverageArrays strips = found();
+  EXPECT_EQ(strips.sites, (std::vector<std::uint32_t>{0, 1}));
+  EXPECT_EQ(strips.parts.size(), 2u + 1);
+  groups.resize(8);  // the others are in none
+  EXPECT_EQ(found().sites, (std::vector<std::uint32_t>{1}));
+  Diagram none;
+  CoverageArrays nothing;
+  EXPECT_EQ(Voronoi(none, Bounds{0, 0, 1, 1}).cellPolygons(0.1, nothing, groups), Error::kNone);
+  EXPECT_TRUE(nothing.sites.empty());
+}
+
 }  // namespace
 }  // namespace apollonius::test

@@ -68,7 +68,7 @@ std::size_t workOf(const Family& family, std::size_t n) {
   const auto cells = clipping.cells(Parts::kThinToo);
   PolygonFinder finder(core, *cells, clipping.border(), Tolerance{0.1});
   Coverage coverage;
-  EXPECT_TRUE(coverWindow(core, finder, clipping.box(), 1e6, coverage));
+  EXPECT_TRUE(coverWindow(core, finder, clipping.box(), 1e6, {}, coverage));
   return coverage.work;
 }
 

@@ -92,7 +92,8 @@ export function layout(page, body, pages) {
 <body class="${page.key === "home" ? "home" : page.side ? "article has-side" : "article"}">
 <a class="skip" href="#content">Skip to the text</a>
 ${navigation(page, pages)}
-${page.side ? sideHtml(page.side) : ""}<main id="content" tabindex="-1" data-pagefind-body${weightOf(page)}>
+${page.side ? sideHtml(page.side) : ""}
+<main id="content" tabindex="-1" data-pagefind-body${weightOf(page)}>
 ${body}
 ${neighbors(page, pages)}
 </main>

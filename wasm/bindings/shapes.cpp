@@ -54,6 +54,16 @@ std::vector<double> interpolate(const Diagram& diagram, const Region* region, co
   return results;
 }
 
+/// `groups` by id, or nothing for the polygon of each cell.
+apollonius::CoverageArrays cellPolygons(const Diagram& diagram, const Region* region,
+                                        const Reach* reach, double xmin, double ymin, double xmax,
+                                        double ymax, double tolerance, const NumbersIn& groups) {
+  apollonius::CoverageArrays polygons;
+  check(voronoiIn(diagram, region, reach, {xmin, ymin, xmax, ymax})
+            .cellPolygons(tolerance, polygons, vectorOf<std::uint32_t>(groups)));
+  return polygons;
+}
+
 // --- Drawings
 
 enum class Drawing : std::uint8_t { kEdges, kSites, kDual, kDualWithRays, kHull };
@@ -295,7 +305,7 @@ void registerShapes() {
   function("drawCells", &drawCells, allow_raw_pointers(), moved);
   function("cellPaths", &cellPaths, allow_raw_pointers(), moved);
   function("cellPolygon", inWindow<&Voronoi::cellPolygon>(), allow_raw_pointers(), moved);
-  function("cellPolygons", inWindow<&Voronoi::cellPolygons>(), allow_raw_pointers(), moved);
+  function("cellPolygons", &cellPolygons, allow_raw_pointers(), moved);
   function("cellPolygonsBetween", inWindow<&Voronoi::cellPolygonsBetween>(), allow_raw_pointers(),
            moved);
   function("cellCurves", inWindow<&Voronoi::cellCurves>(), allow_raw_pointers(), moved);

@@ -290,7 +290,8 @@ Error Voronoi::cellPolygonsBetween(SiteId first, SiteId end, double tolerance,
   });
 }
 
-Error Voronoi::cellPolygons(double tolerance, CoverageArrays& coverage) const {
+Error Voronoi::cellPolygons(double tolerance, CoverageArrays& coverage,
+                            std::span<const std::uint32_t> groups) const {
   bool isCovered = true;
   const bool isFilled = reach_ == nullptr || reach_->isUnlimited();
   const Error before = firstOf(windowError(), toleranceError(tolerance));
@@ -302,7 +303,7 @@ Error Voronoi::cellPolygons(double tolerance, CoverageArrays& coverage) const {
     PolygonFinder finder(*diagram_.core_, *cells, clipping.border(),
                          toleranceIn(bounds_, tolerance));
     Coverage found;
-    isCovered = coverWindow(*diagram_.core_, finder, clipping.box(), area, found);
+    isCovered = coverWindow(*diagram_.core_, finder, clipping.box(), area, groups, found);
     if (!isCovered) return;
     assign(coverage, found);
   });

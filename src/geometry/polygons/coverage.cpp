@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "apollonius/types.h"
+#include "base/radix_sort.h"
 #include "geometry/polygons/tiling_proof.h"
 #include "number/sum.h"
 
@@ -14,15 +16,37 @@ namespace {
 /// boxes.
 constexpr double kAreaRounding = powerOfTwo(-40);
 
-/// Total area of all rings, with holes negative.
-double areaOf(const Rings& rings) {
+/// Total area of the rings from `first` to before `end`, with holes negative.
+double areaOf(const Rings& rings, std::size_t first, std::size_t end) {
   Sum twice;
-  for (std::size_t k = 0; k < rings.ringCount(); ++k) {
+  for (std::size_t k = first; k < end; ++k) {
     const Corners ring = rings.corners(k);
     for (std::uint32_t m = 1; m + 1 < ring.size(); ++m)
       twice.add(cross(ring[m] - ring[0], ring[m + 1] - ring[0]));
   }
   return twice.value() / 2;
+}
+
+double areaOf(const Rings& rings) { return areaOf(rings, 0, rings.ringCount()); }
+
+/// Puts the cells of each group side by side, with the group in place of the site, and drops those
+/// of none; returns the area of the others.
+double groupCells(std::span<const std::uint32_t> groups, CellList& list) {
+  FlatArray<Keyed> order;
+  for (std::uint32_t k = 0; k < list.cells.size(); ++k) {
+    const SiteId site = list.cells[k].site;
+    if (site < groups.size() && groups[site] != kNoGroup) order.push_back({groups[site], k});
+  }
+  sortByKey(order);
+  FlatArray<CellList::Cell> cells(order.size());
+  double area = 0;
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    cells[k] = list.cells[order[k].value];
+    cells[k].site = order[k].key;
+    area += areaOf(list.rings, list.firstRing(cells[k]), list.endRing(cells[k]));
+  }
+  list.cells.swap(cells);
+  return area;
 }
 
 }  // namespace
@@ -33,11 +57,16 @@ void assemble(const CellList& list, Coverage& coverage) {
   coverage.cells.assign(1, 0);
   Tracer tracer;
   Rings traced;
-  for (const CellList::Cell& cell : list.cells) {
-    if (cell.isTraced) {
+  for (std::size_t k = 0, end = 0; k < list.cells.size(); k = end) {
+    const CellList::Cell& cell = list.cells[k];
+    end = k + 1;
+    while (end < list.cells.size() && list.cells[end].site == cell.site) ++end;
+    if (cell.isTraced || end > k + 1) {
       tracer.clear();
-      for (std::uint32_t ring = list.firstRing(cell); ring < list.endRing(cell); ++ring)
-        tracer.addRing(list.rings.ring(ring));
+      for (const CellList::Cell& one : std::span(list.cells).subspan(k, end - k)) {
+        for (std::uint32_t ring = list.firstRing(one); ring < list.endRing(one); ++ring)
+          tracer.addRing(list.rings.ring(ring));
+      }
       tracer.trace(traced);
       coverage.rings.append(traced, 0, traced.partCount());
     } else {
@@ -50,7 +79,7 @@ void assemble(const CellList& list, Coverage& coverage) {
 }
 
 bool coverWindow(const DiagramCore& core, PolygonFinder& finder, const Rectangle& box, double area,
-                 Coverage& coverage) {
+                 std::span<const std::uint32_t> groups, Coverage& coverage) {
   CellList raw = listCells(core, finder, RingsAre::kRaw, 0, core.ids().idLimit());
   const bool isFilled = !std::isnan(area);
   if (!isFilled) area = areaOf(raw.rings);
@@ -64,10 +93,18 @@ bool coverWindow(const DiagramCore& core, PolygonFinder& finder, const Rectangle
     if (!isMended) return false;
     closeness = mesh.closeness();
   }
+  const auto isNearly = [&](double sum) {
+    return absolute(sum - area) <=
+           closeness * proof.borderRounding() + kAreaRounding * box.width() * box.height();
+  };
+  const bool isGrouped = !groups.empty() && core.visibleCount() > 0;
+  if (isGrouped) {
+    if (!isNearly(areaOf(raw.rings))) return false;
+    area = groupCells(groups, raw);
+  }
   assemble(raw, coverage);
-  if (coverage.sites.empty()) return core.visibleCount() == 0 || !isFilled;
-  return absolute(areaOf(coverage.rings) - area) <=
-         closeness * proof.borderRounding() + kAreaRounding * box.width() * box.height();
+  if (coverage.sites.empty() && !isGrouped) return core.visibleCount() == 0 || !isFilled;
+  return isNearly(areaOf(coverage.rings));
 }
 
 }  // namespace apollonius::internal

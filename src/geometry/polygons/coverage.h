@@ -8,6 +8,9 @@
 // The result is checked: the areas of all rings add up to the window's.
 #pragma once
 
+#include <cstdint>
+#include <span>
+
 #include "geometry/polygons/cell_list.h"
 #include "geometry/window/rectangle.h"
 
@@ -15,12 +18,14 @@ namespace apollonius::internal {
 
 struct Coverage {
   Rings rings;                     ///< those of all cells, one after the other
-  FlatArray<SiteId> sites;         ///< those with a polygon, ascending
+  FlatArray<SiteId> sites;         ///< those with a polygon, or groups of sites; ascending
   FlatArray<std::uint32_t> cells;  ///< the first part of each cell, and the number of parts
   std::size_t work = 0;            ///< number of segments and pairs examined
 };
 
-/// Assembles the cells of a list, with their raw rings traced. Replaces the contents.
+/// Assembles the cells of a list, with their raw rings traced. Cells that follow each other and
+/// have one number are united: a segment between two of them and its reverse cancel each other,
+/// exactly. Replaces the contents.
 void assemble(const CellList& list, Coverage& coverage);
 
 /// Finds the polygons of all cells and replaces the contents. REQUIRES: `finder` finds thin parts,
@@ -28,7 +33,11 @@ void assemble(const CellList& list, Coverage& coverage);
 /// `area`, up to rounding (NaN: to that of the cells' own rings, as cells do not fill the window),
 /// and no segments meet. If false, the code has a defect. Cost: O(points) where the proof holds, as
 /// it does unless rounding prevents it; else also what Mesh::mend() says.
+///
+/// If `groups` is not empty, it has the number of a group, or kNoGroup, by id: then the cells of a
+/// group are united, and their areas add up to the group's, too.
 [[nodiscard]] bool coverWindow(const DiagramCore& core, PolygonFinder& finder, const Rectangle& box,
-                               double area, Coverage& coverage);
+                               double area, std::span<const std::uint32_t> groups,
+                               Coverage& coverage);
 
 }  // namespace apollonius::internal

@@ -150,6 +150,7 @@ async function addWindows({ levels }, diagram, bytes, random) {
     const ids = diagram.ids().subarray(0, 40);
     bytes.add([
       view.toGeoJSON(),
+      view.toGeoJSON({ group: (id) => id % 7 }),
       view.edgeCurves(),
       view.edges({ clearance: true }),
       view.vertices(),

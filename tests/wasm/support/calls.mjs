@@ -411,6 +411,16 @@ export const voronoiCalls = {
       ],
       [
         "bad-option",
+        inWindow((v) => v.toGeoJSON({ group: "team" })),
+        'options.group is the string "team", expected a function of an id',
+      ],
+      [
+        "bad-option",
+        inWindow((v) => v.toGeoJSON({ group: () => 1, properties: {} })),
+        "options.properties is an object, expected a function of a key",
+      ],
+      [
+        "bad-option",
         inWindow((v) => v.toGeoJSON({ winding: "cw" })),
         'options.winding is the string "cw", expected "counter-clockwise" or "clockwise"',
       ],

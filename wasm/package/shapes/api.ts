@@ -5,6 +5,8 @@ export type {
   CellMesh,
   CellsCollection,
   GeoJSONOptions,
+  GroupOptions,
+  GroupsCollection,
   GeometryOptions,
   Winding,
 } from "./geojson.js";

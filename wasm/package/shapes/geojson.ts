@@ -22,6 +22,17 @@ export interface GeoJSONOptions<Properties> extends GeometryOptions {
   properties?: ((id: number) => Properties) | undefined;
 }
 
+/** Options of `toGeoJSON` for one feature a group of sites. */
+export interface GroupOptions<Key, Properties> extends GeometryOptions {
+  /**
+   * Gives the key of a site's group, anything that a Map takes: sites with one key have one
+   * feature. A site with undefined has none.
+   */
+  group: (id: number) => Key | undefined;
+  /** Gives the properties of a group's feature; by default they are { group: key }. */
+  properties?: ((key: Key) => Properties) | undefined;
+}
+
 /** A cell as a geometry of GeoJSON. */
 export type CellGeometry =
   | { type: "Polygon"; coordinates: Position[][] }
@@ -48,6 +59,20 @@ export interface CellsCollection<Properties = { site: number }> {
   }[];
 }
 
+/** GeoJSON (RFC 7946) of groups of cells. */
+export interface GroupsCollection<Key, Properties = { group: Key }> {
+  /** GeoJSON's name of it. */
+  type: "FeatureCollection";
+  /** One feature a group that has a part in the window, in the order of their first sites. */
+  features: {
+    type: "Feature";
+    /** The key, if it is a string or a number. */
+    id?: Key & (string | number);
+    properties: Properties;
+    geometry: CellGeometry;
+  }[];
+}
+
 /** Pairs of a flat ring, or of the one with points `first` to before `end` of several. */
 export function positionsOf(rings: Float64Array, first = 0, end = rings.length / 2): Position[] {
   const positions = new Array<Position>(end - first);
@@ -58,15 +83,47 @@ export function positionsOf(rings: Float64Array, first = 0, end = rings.length /
 /** How rings run. */
 export type Winding = "counter-clockwise" | "clockwise";
 
+function checkedFunction(name: string, value: unknown, of: string) {
+  if (typeof value === "function") return;
+  throw new ApolloniusError(
+    "bad-option",
+    `options.${name} is ${described(value)}, expected a function of ${of}`,
+  );
+}
+
 /** Throws "bad-option". */
 export function checkedProperties<Properties>(
   properties: unknown = (id: number) => ({ site: id }),
 ): (id: number) => Properties {
-  if (typeof properties === "function") return properties as (id: number) => Properties;
-  throw new ApolloniusError(
-    "bad-option",
-    `options.properties is ${described(properties)}, expected a function of an id`,
-  );
+  checkedFunction("properties", properties, "an id");
+  return properties as (id: number) => Properties;
+}
+
+/** Groups of sites, and their keys by their numbers. */
+export interface Groups<Key, Properties> {
+  keys: Key[];
+  /** The number of a group by id; kNoGroup of C++ for none. */
+  numbers: Uint32Array;
+  properties: (key: Key) => Properties;
+}
+
+/** Asks for the group of each of these sites, whose ids are ascending. Throws "bad-option". */
+export function groupsOf<Key, Properties>(
+  ids: Uint32Array,
+  { group, properties = (key) => ({ group: key }) as Properties }: GroupOptions<Key, Properties>,
+): Groups<Key, Properties> {
+  checkedFunction("group", group, "an id");
+  checkedFunction("properties", properties, "a key");
+  const numberOf = new Map<Key, number>();
+  const numbers = new Uint32Array((ids.at(-1) ?? -1) + 1).fill(-1);
+  for (const id of ids) {
+    const key = group(id);
+    if (key === undefined) continue;
+    const number = numberOf.get(key) ?? numberOf.size;
+    numberOf.set(key, number);
+    numbers[id] = number;
+  }
+  return { keys: [...numberOf.keys()], numbers, properties };
 }
 
 export function checkedWinding(winding: unknown): Winding {
@@ -103,6 +160,21 @@ export function featuresOf<Properties>(
   const features = Array.from(polygons.sites, (id, k) => {
     const geometry = geometryOf(polygons, k, winding);
     return { type: "Feature" as const, id, properties: properties(id), geometry };
+  });
+  return { type: "FeatureCollection", features };
+}
+
+/** @internal One feature a group. */
+export function groupFeaturesOf<Key, Properties>(
+  polygons: CoverageArrays,
+  { keys, properties }: Groups<Key, Properties>,
+  winding: Winding,
+): GroupsCollection<Key, Properties> {
+  const features = Array.from(polygons.sites, (number, k) => {
+    const key = keys[number]!;
+    const id = typeof key === "string" || typeof key === "number" ? { id: key } : {};
+    const geometry = geometryOf(polygons, k, winding);
+    return { type: "Feature" as const, ...id, properties: properties(key), geometry };
   });
   return { type: "FeatureCollection", features };
 }

@@ -35,6 +35,10 @@ import {
   checkedWinding,
   featuresOf,
   type GeoJSONOptions,
+  type GroupOptions,
+  type GroupsCollection,
+  groupFeaturesOf,
+  groupsOf,
   type GeometryOptions,
   geometryOf,
   meshOf,
@@ -396,16 +400,32 @@ export class Voronoi implements Disposable {
    * where a cell has several parts. Polygons are valid and tile the window: neighbours have the
    * points of their common boundary in common, whatever the tolerance. Coordinates are the
    * diagram's own, or those of the map if the view has a projection (`VoronoiOptions.project`).
-   * `options.properties` may throw. O(n log n).
+   * `options.properties` may throw.
+   *
+   * With `options.group` cells that belong together are one feature: of the shops of a chain, or of
+   * samples along a line. Borders between cells of one group are left out; groups tile what their
+   * cells do, and have the points of their common boundary in common. O(n log n).
    */
+  toGeoJSON<Key, Properties = { group: Key }>(
+    options: GroupOptions<Key, Properties>,
+  ): GroupsCollection<Key, Properties>;
   toGeoJSON<Properties = { site: number }>(
     options?: GeoJSONOptions<Properties>,
-  ): CellsCollection<Properties> {
+  ): CellsCollection<Properties>;
+  toGeoJSON<Key, Properties>(
+    options?: GroupOptions<Key, Properties> | GeoJSONOptions<Properties>,
+  ): GroupsCollection<Key, Properties> | CellsCollection<Properties> {
     Voronoi.#living(this);
-    checkOptions(options, "tolerance", "properties", "winding");
-    const properties = checkedProperties<Properties>(options?.properties);
+    checkOptions(options, "tolerance", "properties", "winding", "group");
     const winding = checkedWinding(options?.winding);
-    return featuresOf(Voronoi.#polygons(this, toleranceOf(options)), properties, winding);
+    const tolerance = toleranceOf(options);
+    if (options && "group" in options && options.group !== undefined) {
+      const groups = groupsOf(this.diagram.ids(), options);
+      const polygons = Voronoi.#polygons(this, tolerance, groups.numbers);
+      return groupFeaturesOf(polygons, groups, winding);
+    }
+    const properties = checkedProperties<Properties>(options?.properties);
+    return featuresOf(Voronoi.#polygons(this, tolerance), properties, winding);
   }
 
   // --- Points and neighbours ---------------------------------------------------------------------
@@ -803,10 +823,14 @@ export class Voronoi implements Disposable {
     }
   }
 
-  /** Returns the polygons of all cells, which tile the window; projected back if it has a map. */
-  static #polygons(view: Voronoi, tolerance: number): CoverageArrays {
+  /** Returns the polygons of all cells, or of groups; projected back if the view has a map. */
+  static #polygons(
+    view: Voronoi,
+    tolerance: number,
+    groups: Uint32Array = kUngrouped,
+  ): CoverageArrays {
     const polygons = Voronoi.#clipped(view, undefined, (native, windowNow) =>
-      native.cellPolygons(...windowNow(), tolerance),
+      native.cellPolygons(...windowNow(), tolerance, groups),
     );
     return Voronoi.#onMap(view, polygons, tolerance);
   }
@@ -827,6 +851,8 @@ export class Voronoi implements Disposable {
     return { isFlat, ...rings };
   }
 }
+
+const kUngrouped = new Uint32Array(0);
 
 function ringOptions(options: PolygonOptions | undefined) {
   checkOptions(options, "tolerance", "flat");
