@@ -81,7 +81,7 @@ test("needs no other package and runs nothing when it is installed", () => {
 
 // A page's download is in sizes.test.mjs. The whole package is what somebody downloads who installs
 // it: the wasm in four forms (ES module, CommonJS, script tag, files), and documents.
-const kUnpacked = 3_085_000;
+const kUnpacked = 3_098_500;
 test("the whole package is within its limit", () => {
   const unpacked = files.reduce((sum, file) => sum + statSync(path.join(installed, file)).size, 0);
   process.stdout.write(`bytes unpacked ${unpacked}, packed ${statSync(tarball).size}\n`);
