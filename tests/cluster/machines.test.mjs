@@ -48,7 +48,6 @@ const withNetwork = isPossible ? test : test.skip;
 if (!isPossible) console.warn("WITHOUT NETWORK NAMESPACES: they need Redis, `ip` and root");
 
 const folder = emptyFolder("machines");
-const work = path.join(folder, "work");
 
 afterAll(async () => {
   stopAll();
@@ -71,21 +70,24 @@ withNetwork("two workers in two network namespaces", async () => {
   const loopback = ip("-n", names[0], "-o", "link", "show", "up", "dev", "lo");
   expect(loopback.stdout).toBe("");
 
-  const workers = names.map((name) => {
+  // Each has a folder of its own: of one folder's jobs a single worker may take all.
+  const machines = names.map((name) => {
+    const work = path.join(folder, name);
     const before = ["ip", "netns", "exec", name];
-    return start("worker.mjs", ["--folder", work, "--concurrency", "1"], { env, before });
+    const worker = start("worker.mjs", ["--folder", work, "--concurrency", "1"], { env, before });
+    return { work, worker };
   });
-  await until(() => workers.every(({ output }) => output().includes("Waiting for jobs")));
-  const submission = ["--folder", work, "--snapshot", snapshot, "--points", file];
-  await finish("submit.mjs", [...submission, "--per-job", "2000"], { env });
-  expect(await partsIn(work)).toHaveLength(100);
-  await finish("collect.mjs", ["--folder", work, "--out", path.join(folder, "result")]);
+  await until(() => machines.every(({ worker }) => worker.output().includes("Waiting for jobs")));
   const ids = diagram.findMany(xy);
-  expect(readFileSync(path.join(folder, "result.ids.i32")).equals(Buffer.from(ids.buffer))).toBe(
-    true,
-  );
-  for (const { child } of workers) child.kill("SIGTERM");
-  await Promise.all(workers.map(({ ended }) => ended));
-  for (const { output } of workers)
-    expect(Number(/"items":(\d+)/.exec(output())[1])).toBeGreaterThan(0);
+  for (const { work, worker } of machines) {
+    const submission = ["--folder", work, "--snapshot", snapshot, "--points", file];
+    await finish("submit.mjs", [...submission, "--per-job", "2000"], { env });
+    expect(await partsIn(work)).toHaveLength(100);
+    const result = path.join(work, "result");
+    await finish("collect.mjs", ["--folder", work, "--out", result]);
+    expect(readFileSync(`${result}.ids.i32`).equals(Buffer.from(ids.buffer))).toBe(true);
+    worker.child.kill("SIGTERM");
+    await worker.ended;
+    expect(Number(/"items":(\d+)/.exec(worker.output())[1])).toBe(200_000);
+  }
 });
