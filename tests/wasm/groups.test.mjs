@@ -98,6 +98,11 @@ test("a key is the id, if it can; features in the order of first sites; properti
   });
   expect(features.map(({ properties }) => properties)).toEqual([{ team: "odd" }, { team: "even" }]);
   expect(features.some((feature) => "id" in feature)).toBe(false);
+  for (const key of [Number.NaN, Infinity, null, true, 1n]) {
+    const [feature] = view.toGeoJSON({ group: () => key }).features;
+    expect("id" in feature).toBe(false);
+    expect(feature.properties).toEqual({ group: key });
+  }
   const named = view.toGeoJSON({ group: (id) => (id < 70 ? "west" : 7), winding: "clockwise" });
   expect(named.features.map(({ id }) => id)).toEqual(["west", 7]);
   expect(areaOf(named.features[0].geometry)).toBeLessThan(0);

@@ -103,7 +103,7 @@ describeInBrowser("the site", (open, server) => {
     expect(Math.min(...bottoms)).toBeGreaterThan(0); // shown at all
     expect(Math.max(...bottoms)).toBeLessThan(740);
     expect(await page.locator("[data-figure] .said").first().textContent()).toMatch(
-      /of the bubbles/,
+      /of the bubbles’ area/,
     );
     await closePage(page);
   });

@@ -144,7 +144,7 @@ export default figure<State>({
         : "Here both pick the same bubble. ",
       "Picking by centre is wrong on ",
       [percent(inside), "wrong"],
-      " of the bubbles, and on ",
+      " of the bubbles’ area, and on ",
       [percent(all), "wrong"],
       " of the whole picture.",
     ];

@@ -99,7 +99,7 @@ bool coverWindow(const DiagramCore& core, PolygonFinder& finder, const Rectangle
   };
   const bool isGrouped = !groups.empty() && core.visibleCount() > 0;
   if (isGrouped) {
-    if (!isNearly(areaOf(raw.rings))) return false;
+    if (!isNearly(areaOf(raw.rings))) return false;  // the window's; from here on, the groups'
     area = groupCells(groups, raw);
   }
   assemble(raw, coverage);

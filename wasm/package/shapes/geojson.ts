@@ -66,7 +66,7 @@ export interface GroupsCollection<Key, Properties = { group: Key }> {
   /** One feature a group that has a part in the window, in the order of their first sites. */
   features: {
     type: "Feature";
-    /** The key, if it is a string or a number. */
+    /** The key, if it is a string or a finite number. */
     id?: Key & (string | number);
     properties: Properties;
     geometry: CellGeometry;
@@ -164,7 +164,7 @@ export function featuresOf<Properties>(
   return { type: "FeatureCollection", features };
 }
 
-/** @internal One feature a group. */
+/** @internal One feature a group. Not `featuresOf`, which the sphere's users download, too. */
 export function groupFeaturesOf<Key, Properties>(
   polygons: CoverageArrays,
   { keys, properties }: Groups<Key, Properties>,
@@ -172,7 +172,8 @@ export function groupFeaturesOf<Key, Properties>(
 ): GroupsCollection<Key, Properties> {
   const features = Array.from(polygons.sites, (number, k) => {
     const key = keys[number]!;
-    const id = typeof key === "string" || typeof key === "number" ? { id: key } : {};
+    const isId = typeof key === "string" || Number.isFinite(key);
+    const id = isId ? { id: key as Key & (string | number) } : {};
     const geometry = geometryOf(polygons, k, winding);
     return { type: "Feature" as const, ...id, properties: properties(key), geometry };
   });

@@ -35,7 +35,7 @@ export function tableOfCsv(text: string): Table {
   const first = lines.findIndex(({ cells }) => !isComment(cells));
   if (first < 0) throw new Error("there are only comments");
   const head = lines[first].cells;
-  // A comma within a cell of a table without other commas is a decimal one, if it is the only one.
+  // "1,234" beside semicolons is 1.234; with commas between columns, as within quotes, it is 1234.
   const number = (cell: string) => withoutGroups(hasDecimalCommas ? withPoint(cell) : cell);
   const isHead = head.slice(0, 2).some((cell) => cell.trim() !== "" && !isNumber(number(cell)));
   const places = isHead ? placesIn(head, lines[first].at) : new Map(kUsual.map((c, k) => [c, k]));
